@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What every target of the project shares: warnings, sanitizers, and one function per kind of target.
+
+add_library(flowslide_options INTERFACE)
+# No contraction into fused multiply-adds: results shall not depend on what the compiler found to fuse.
+target_compile_options(flowslide_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                       -ffp-contract=off)
+target_include_directories(flowslide_options INTERFACE ${PROJECT_SOURCE_DIR}/core)
+if(FLOWSLIDE_WERROR)
+  target_compile_options(flowslide_options INTERFACE -Werror)
+endif()
+if(FLOWSLIDE_SANITIZE)
+  target_compile_options(flowslide_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                         -fno-omit-frame-pointer)
+  target_link_options(flowslide_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# flowslide_library(<folder of core> [DEPENDS <targets>...]): every .cpp of that folder (not of its sub-folders).
+function(flowslide_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/${name}/*.cpp)
+  string(REPLACE "/" "_" target flowslide_${name})
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    target_link_libraries(${target} PUBLIC flowslide_options ${ARG_DEPENDS})
+  else()
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE flowslide_options ${ARG_DEPENDS})
+  endif()
+endfunction()

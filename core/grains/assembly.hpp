@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "grains/vector.hpp"
+
+namespace flowslide {
+
+/// The rectangular cell that holds the grains. A rigid axis ends at two frictionless planes, at `lower` and `upper`.
+struct Cell {
+  Vector3 lower = Vector3::Zero();            ///< m
+  Vector3 upper = Vector3::Zero();            ///< m
+  std::array<bool, 3> periodic{false, false, false};
+
+  Vector3 lengths() const { return upper - lower; }
+  double volume() const { return lengths().prod(); }
+  /// Area of the horizontal section, m^2.
+  double area() const { return lengths().x() * lengths().y(); }
+  double height() const { return lengths().z(); }
+  /// `separation` (m) replaced by its nearest periodic image.
+  Vector3 nearest_image(Vector3 separation) const;
+};
+
+/// What moves a grain: Newton's law, or one of the two layers glued to the bottom and the top of the cell.
+enum class Role : std::uint8_t { mobile = 0, bottom_layer = 1, top_layer = 2 };
+
+/// History of one touching pair, for first < second; of `first` relative to `second`.
+struct ContactHistory {
+  std::uint32_t first = 0, second = 0;        ///< indices into the assembly
+  Vector3 tangential_spring = Vector3::Zero();  ///< m
+  Vector3 rolling_torque = Vector3::Zero();     ///< N m
+};
+
+/// Everything that determines how the grains go on: the state of a DEM run at the end of a step.
+/// All per-grain arrays have shape (n); the index of a grain never changes during its life.
+struct Assembly {
+  Cell cell;
+  std::vector<double> radius;                 ///< m
+  std::vector<Vector3> position;              ///< m
+  std::vector<Vector3> velocity;              ///< m/s, of the full step
+  std::vector<Vector3> spin;                  ///< rad/s, of the full step
+  std::vector<Vector3> force;                 ///< N, total on each grain at the end of the last step
+  std::vector<Vector3> torque;                ///< N m
+  std::vector<Role> role;
+  std::vector<ContactHistory> contacts;       ///< sorted by (first, second)
+
+  std::size_t size() const { return radius.size(); }
+  /// Sets the number of grains; new grains are mobile, at rest, at the origin, without force.
+  void resize(std::size_t n);
+  double solid_volume() const;                ///< m^3, overlaps not deducted
+  double mean_diameter() const;               ///< m, number mean
+  double smallest_radius() const;             ///< m
+};
+
+}  // namespace flowslide

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+namespace flowslide {
+
+/// Properties of the grains and of their contacts. Defaults are Table 1 of the paper; the rolling stiffness and the
+/// rolling viscous damping are left open there and follow the first author's public input decks.
+struct Material {
+  double density = 2650.0;                 ///< rho, kg/m^3, of the solid
+  double youngs_modulus = 2.0e9;           ///< E, Pa
+  double poisson_ratio = 0.25;             ///< nu
+  double restitution = 0.8;                ///< coefficient of restitution, in (0, 1]
+  double sliding_friction = 0.5;           ///< mu
+  double rolling_friction = 0.1;           ///< mu_r
+  double rolling_stiffness = 2.25;         ///< factor of k_r = factor k_n mu_r^2 R*^2 (EPSD3), >= 1
+  double rolling_viscous_damping = 0.13;   ///< eta_r of EPSD3, fraction of critical damping
+
+  /// G = E / (2 (1 + nu)), Pa.
+  double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poisson_ratio)); }
+};
+
+}  // namespace flowslide
