@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "record/atomic_file.hpp"
+#include "record/provenance.hpp"
+#include "record/series.hpp"
+
+namespace flowslide {
+
+/// One finished run.
+struct Result {
+  Provenance provenance;
+  std::string configuration;        ///< resolved, as text
+  std::string configuration_hash;   ///< of that text, see sha256.hpp
+  Series series;
+  std::vector<Metric> metrics;      ///< in alphabetical order when read back
+};
+
+/// Writes one HDF5 file, whole or not at all, for h5py and xarray (group "series") to read unaided:
+///   /                    attributes: those of Provenance, `configuration_hash`
+///   /configuration       text, with attribute `hash`
+///   /series/<column>     double, shape (rows); attributes units, long_name, symbol, sign_convention; the axis is a
+///                        dimension scale attached to each
+///   /metrics/<metric>    double, scalar; attributes units, long_name
+/// and behind the HDF5 content its checksum (see sealed_file.hpp), which HDF5 ignores.
+/// Throws std::invalid_argument for a series or metric that must not be written, and FileError as write_atomically.
+void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists = IfExists::refuse);
+
+/// Throws FileError if the file is missing, CorruptFileError if it is not, whole and unaltered, what write_result wrote.
+Result read_result(const std::filesystem::path& path);
+
+/// True if `path` holds a whole, unaltered result of that configuration. A missing or damaged file is not complete.
+bool is_complete(const std::filesystem::path& path, const std::string& configuration_hash);
+
+}  // namespace flowslide

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "grains/assembly.hpp"
+#include "record/gnuplot_table.hpp"
+
+namespace flowslide {
+
+/// From where a sample is seen: parallel projection, z upwards.
+struct View {
+  double azimuth = -60.0;        ///< degrees, of the viewer about z; 0 looks along -x from the side of positive x
+  double elevation = 20.0;       ///< degrees above the horizontal
+  double shear_strain = 0.0;     ///< gamma of the drawn cell: grains are folded into the sheared cell
+  int shells = 6;                ///< circles per grain, from its rim to its highlight, >= 1
+};
+
+/// One circle of the picture. A grain is `shells` circles, ever smaller and brighter towards the light.
+struct Disc {
+  double across = 0.0, up = 0.0;  ///< m, centre in the plane of the picture
+  double radius = 0.0;            ///< m
+  double shade = 0.0;             ///< 0 (dark) to 1 (bright)
+  Role role = Role::mobile;
+};
+
+/// The grains that can be seen, in the order in which to draw them (back to front).
+std::vector<Disc> draw_grains(const Assembly& assembly, const View& view = {});
+
+/// Writes the picture for gnuplot, whole or not at all. First block: one disc a row, columns across, up, radius (m),
+/// shade, role; draw with `plot FILE index 0 using 1:2:3:... with circles`. Second block (index 1): the edges of the
+/// cell, two rows each and an empty row; column 3 is 1 for an edge in front, 0 behind.
+void write_picture(const std::filesystem::path& path, const Assembly& assembly, const View& view = {});
+
+}  // namespace flowslide

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grains/assembly.hpp"
+#include "record/atomic_file.hpp"
+#include "record/file_lock.hpp"
+#include "record/series.hpp"
+
+namespace flowslide {
+
+/// A prepared sample as it is kept.
+struct StoredSample {
+  std::string recipe;               ///< text of all that determined it
+  Assembly assembly;
+  std::vector<Metric> metrics;      ///< such as void ratio and the stresses reached; alphabetical when read back
+};
+
+/// Prepared samples in a folder, one file <key>.h5 each, `key` being the hash of the recipe (letters and digits).
+/// Not collective: with several MPI ranks, one of them calls this and broadcasts.
+class SampleStore {
+ public:
+  /// Creates the folder if it is missing. Throws FileError.
+  explicit SampleStore(std::filesystem::path folder);
+
+  /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file: it is
+  /// never used, and the message says which file to delete.
+  std::optional<StoredSample> find(const std::string& key) const;
+  /// Keeps `sample`, whole or not at all, in place of one of the same key. Throws std::invalid_argument if a value is
+  /// not finite, FileError if it cannot be written.
+  void put(const std::string& key, const StoredSample& sample) const;
+  /// Waits until no other process holds the lock of `key`.
+  FileLock lock(const std::string& key) const;
+  /// The sample, prepared by `prepare` and kept if there is none. Two processes that need the same one prepare it once.
+  StoredSample find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const;
+  /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.
+  std::filesystem::path path(const std::string& key) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace flowslide

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "record/atomic_file.hpp"
+
+namespace flowslide {
+
+/// Bytes that `write_sealed` puts behind the content: "\nflowslide sha256 <64 digits>\n". HDF5 ignores them, and
+/// `head -c -83 FILE | sha256sum` repeats the check by hand.
+inline constexpr std::size_t seal_size = 83;
+
+/// Writes `content` and its seal, whole or not at all. Throws as write_atomically.
+void write_sealed(const std::filesystem::path& path, std::string_view content, IfExists if_exists);
+
+/// The content without its seal. Throws CorruptFileError if the seal is missing or any bit of the file has changed,
+/// before anything else looks at the content; `mend` (a sentence) ends the message.
+std::string read_sealed(const std::filesystem::path& path, std::string_view mend);
+
+}  // namespace flowslide

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flowslide {
+
+/// One quantity along the axis of a series.
+struct Column {
+  std::string name;             ///< of the dataset: letters, digits, '_'; starts with a letter; such as "shear_stress"
+  std::string symbol;           ///< as in the paper, such as "tau"
+  std::string units;            ///< SI, such as "Pa"; "1" if dimensionless
+  std::string long_name;        ///< for people, such as "shear stress"
+  std::string sign_convention;  ///< such as "compression positive"; empty if the quantity has no sign to choose
+  std::vector<double> values{};  ///< shape (rows)
+};
+
+/// Columns that share one axis, usually time in s. All have the same number of rows.
+struct Series {
+  Column axis{"time", "t", "s", "time", "", {}};
+  std::vector<Column> columns;
+
+  std::size_t rows() const { return axis.values.size(); }
+  /// Appends one value to the axis and to each column, in their order. Throws std::invalid_argument if the number of
+  /// values is not the number of columns; then nothing is appended.
+  void append_row(double axis_value, std::span<const double> values);
+  /// The column (or the axis) of that name. Throws std::out_of_range, naming those that exist.
+  const Column& column(std::string_view name) const;
+  /// Throws std::invalid_argument if lengths differ, a name is empty, malformed or used twice, units are missing, or a
+  /// value is not finite: a NaN or an infinity is never written, and the message names its column and row.
+  void check() const;
+};
+
+/// One number that sums up a run, such as the peak of the shear stress. A value that does not exist is left out.
+struct Metric {
+  std::string name;       ///< as for columns
+  double value = 0.0;     ///< finite
+  std::string units;      ///< SI; "1" if dimensionless
+  std::string long_name;  ///< for people
+};
+
+/// True if `name` can name a column, a metric or a profile.
+bool is_valid_name(std::string_view name);
+
+/// Throws std::invalid_argument if a name is malformed or used twice, units are missing or a value is not finite.
+void check_metrics(std::span<const Metric> metrics);
+
+}  // namespace flowslide
