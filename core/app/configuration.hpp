@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a run is asked to do: TOML in layers, read once, checked for type, dimension, range and spelling.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/entry.hpp"
+#include "app/quantity.hpp"
+#include "app/range.hpp"
+
+namespace flowslide {
+
+/// One value from the command line. The value is read as TOML and, if it is none, as text: `28340`, `true`, `[1, 2]`,
+/// `"3 kPa"` and `3 kPa` all work.
+struct Override {
+  std::string key;     ///< "sample.confining_stress"
+  std::string value;   ///< as typed
+  std::string option;  ///< what to call it in a message: "--set sample.confining_stress=3 kPa", "--seed 7"
+};
+
+/// Where a configuration comes from; what stands later in this list wins.
+struct Layers {
+  std::filesystem::path case_file;                 ///< case.toml: its part outside [scale] ...
+  std::string scale;                               ///< ... then its table [scale.<scale>]; empty: none is asked for
+  std::optional<std::filesystem::path> user_file;  ///< --config: again base, then [scale.<scale>] if there is one
+  std::vector<Override> overrides;                 ///< --set, in order
+};
+
+/// A configuration. Each getter throws ConfigurationError when the key is missing, of the wrong type, of the wrong
+/// dimension or out of range; the message gives file, line, column, key, the value as written, what is allowed and how
+/// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml.
+///
+/// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the positions,
+/// from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too) as a whole.
+/// Keys are bare: letters, digits, "_" and "-". The table `scale` at the top is reserved.
+/// Getters mark the key as known, also when they throw.
+class Configuration {
+ public:
+  /// Reads all layers. Throws ConfigurationError when a file cannot be read, is not TOML (file, line and column), has no
+  /// such scale, or puts a table where another layer has a value or the other way round.
+  explicit Configuration(const Layers& layers);
+  /// A single layer from a text; `origin` stands for the file in messages.
+  static Configuration from_text(std::string_view toml, std::string origin = "text");
+
+  /// Whether the key, a value or a table, is there. Marks it as known.
+  bool has(std::string_view key) const;
+
+  /// A number in SI units, from a number or a text such as "3 kPa".
+  double quantity(std::string_view key, const Dimension& dimension, const Range& range = Range::any()) const;
+  /// A number without unit; "25 %" is 0.25.
+  double number(std::string_view key, const Range& range = Range::any()) const;
+  std::int64_t integer(std::string_view key, const Range& range = Range::any()) const;
+  bool flag(std::string_view key) const;
+  /// A text; one of `allowed` unless that is empty.
+  std::string text(std::string_view key, const std::vector<std::string>& allowed = {}) const;
+
+  /// Lists; a single value counts as a list of one. An empty list is refused.
+  std::vector<double> quantities(std::string_view key, const Dimension& dimension,
+                                 const Range& range = Range::any()) const;
+  std::vector<double> numbers(std::string_view key, const Range& range = Range::any()) const;
+  std::vector<std::int64_t> integers(std::string_view key, const Range& range = Range::any()) const;
+  std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed = {}) const;
+
+  /// Names of the tables under a key in the order of the files, "0", "1", ... for an array of tables; empty when the key
+  /// is not there. The values of one of them have the key `key + "." + name + "." + ...`.
+  std::vector<std::string> subtables(std::string_view key) const;
+
+  /// Marks a key, and if it is a table all below it, as known though this scene does not need it.
+  void accept(std::string_view key) const;
+
+  /// Throws a ConfigurationError about the value of a key that a getter has read, for a rule that spans several keys:
+  /// file, line, column, key, the value as written, then `problem` and `mend` (whole clauses without full stop).
+  [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
+
+  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has a key that no getter asked for:
+  /// file, line and column of each, with the nearest known key. Call it once all is read.
+  void reject_unknown() const;
+
+  /// All that was read, as canonical TOML: dotted keys, sorted, values in SI units in the shortest form that gives the
+  /// same double again, the unit in a comment. Reading this text gives the same configuration.
+  std::string resolved() const;
+  /// XXH3, 128 bits, of resolved(), as 32 hexadecimal digits.
+  std::string hash() const;
+
+ private:
+  Configuration() = default;
+  const Entry* find(std::string_view key) const;
+  const Entry& require(std::string_view key, std::string_view wanted) const;
+  double checked(const Entry& entry, const Scalar& scalar, const Dimension& dimension, const Range& range) const;
+  std::int64_t checked_integer(const Entry& entry, const Scalar& scalar, const Range& range) const;
+  std::string checked_text(const Entry& entry, const Scalar& scalar, const std::vector<std::string>& allowed) const;
+  const std::vector<Scalar>& list(const Entry& entry, std::string_view wanted) const;
+  void remember(std::string_view key, std::string canonical, const Dimension& dimension) const;
+  bool known(const std::string& key) const;
+
+  std::vector<Entry> entries_;     ///< in file order
+  std::vector<Entry> unselected_;  ///< of scales that were not chosen: checked for spelling only
+  mutable std::set<std::string, std::less<>> known_;
+  mutable std::set<std::string, std::less<>> accepted_;
+  mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with comment
+};
+
+}  // namespace flowslide

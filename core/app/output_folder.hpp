@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The folder that a run writes into, and the rules that keep other people's files safe.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace flowslide {
+
+/// What to do with a file that is there already.
+enum class Overwrite { refuse, replace };
+
+/// Writes a file whole or not at all: aside in the same folder, synced, then renamed. Throws OutputError with path and
+/// cause (also when it is there and `overwrite` is refuse); then the old file is as it was and nothing is left beside it.
+void write_atomically(const std::filesystem::path& file, std::string_view text,
+                      Overwrite overwrite = Overwrite::replace);
+
+/// A folder of results of one case. It holds a folder ".flowslide" that says so: a file "case" with the name of the
+/// case, and per point a file "<point>.hash" with the hash of the configuration that it was run with.
+class OutputFolder {
+ public:
+  /// Creates the folder where it is absent, and marks it. Throws ConfigurationError, before anything is written, when
+  /// the path is no folder, cannot be written, holds files but no mark of this program, or belongs to another case.
+  static OutputFolder open(const std::filesystem::path& path, const std::string& case_name);
+  /// The same without writing anything, for --check: the folder must be there and marked.
+  static OutputFolder open_existing(const std::filesystem::path& path, const std::string& case_name);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+
+  /// The hash a point was begun with; empty when it was not begun.
+  std::string hash_of(const std::string& point) const;
+  /// Notes that a point is begun. Throws ConfigurationError when it was begun with another hash: its results would be
+  /// of another configuration. `point` must be letters, digits, "_", "-", "." or std::invalid_argument is thrown.
+  void begin_point(const std::string& point, const std::string& hash) const;
+
+ private:
+  explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+}  // namespace flowslide
