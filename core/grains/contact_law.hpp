@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "grains/material.hpp"
+#include "grains/vector.hpp"
+
+/// The contact law of LIGGGHTS 3.8 (`hertz`, `tangential history`, `rolling_friction epsd3`, `limitForce off`,
+/// `torsionTorque off`, `tangential_damping on`) as plain functions. Sources: Hertz; Mindlin without slip;
+/// Tsuji et al. 1992 for the dashpots; Ai et al. 2011 for the rolling model.
+namespace flowslide {
+
+/// What a contact law needs to know of a pair besides its motion; both spheres of the same material.
+struct PairConstants {
+  double radius_first = 0.0, radius_second = 0.0;  ///< R_1, R_2, m
+  double effective_radius = 0.0;         ///< R* = R_1 R_2 / (R_1 + R_2), m
+  double effective_mass = 0.0;           ///< m* = m_1 m_2 / (m_1 + m_2), kg
+  double effective_modulus = 0.0;        ///< Y* = E / (2 (1 - nu^2)), Pa
+  double effective_shear_modulus = 0.0;  ///< G* = E / (4 (2 - nu) (1 + nu)), Pa
+  double damping = 0.0;                  ///< beta = ln e / sqrt(ln^2 e + pi^2), in (-1, 0]
+  double rolling_inertia = 0.0;          ///< I_r = 7/5 J_1 J_2 / (J_1 + J_2) with J = m R^2, kg m^2
+};
+
+/// Mass (kg) of a sphere of `radius` (m).
+double sphere_mass(double radius, const Material& material);
+
+/// Moment of inertia I_s = 2/5 m R^2 (kg m^2) of a sphere about an axis through its centre.
+double sphere_inertia(double radius, const Material& material);
+
+/// Constants of two touching spheres.
+PairConstants pair_constants(const Material& material, double radius_first, double radius_second);
+
+/// Constants of a sphere at a plane of its own material: R* = R, m* = m; the rolling inertia is that of the sphere.
+PairConstants plane_constants(const Material& material, double radius);
+
+/// Motion of a touching pair; velocities are those of the half step, the geometry is that of the full step.
+struct ContactKinematics {
+  Vector3 normal = Vector3::UnitX();             ///< n, unit vector from the second centre to the first
+  double overlap = 0.0;                          ///< delta = R_1 + R_2 - |x_1 - x_2|, m, >= 0
+  Vector3 relative_velocity = Vector3::Zero();   ///< v_1 - v_2 of the centres, m/s
+  Vector3 spin_first = Vector3::Zero();          ///< w_1, rad/s
+  Vector3 spin_second = Vector3::Zero();         ///< w_2, rad/s
+};
+
+/// What a contact does to its two spheres, and its new history.
+struct ContactForce {
+  Vector3 on_first = Vector3::Zero();            ///< N; minus this acts on the second
+  Vector3 torque_on_first = Vector3::Zero();     ///< N m, about its centre, rolling torque included
+  Vector3 torque_on_second = Vector3::Zero();    ///< N m
+  Vector3 tangential_spring = Vector3::Zero();   ///< m, of the first relative to the second
+  Vector3 rolling_torque = Vector3::Zero();      ///< N m, of the spring alone; minus this acts on the first
+  double normal = 0.0;                           ///< F_n, N, repulsion positive; the dashpot may make it negative
+  bool sliding = false;                          ///< the tangential force is at the Coulomb cap
+  bool rolling = false;                          ///< the rolling torque is at its cap
+};
+
+/// F_n = k_n delta - gamma_n v_n, N, with v_n the separation velocity (m/s) along n:
+///   k_n = 4/3 Y* sqrt(R* delta), gamma_n = -2 sqrt(5/6) beta sqrt(S_n m*), S_n = 2 Y* sqrt(R* delta).
+/// Written in y = delta^(5/4) this is a linear damped oscillator, so an impact that ends at delta = 0 returns the
+/// fraction e of its velocity exactly, at any velocity (Antypov and Elliott 2011).
+double normal_force(const PairConstants& pair, double overlap, double separation_velocity);
+
+/// Force and torques of a contact from its history `tangential_spring` s (m) and `rolling_torque` M (N m).
+///
+/// With v_t = v - (v.n) n - (c_1 w_1 + c_2 w_2) x n, c_i = R_i - delta/2, and w = w_1 - w_2 less its part along n:
+///   normal      F_n = k_n delta - gamma_n v_n, not clipped at zero
+///   tangential  s <- s + v_t dt, then s <- s - (s.n) n;   k_t = S_t = 8 G* sqrt(R* delta)
+///               k_t |s| >  mu |F_n|:  s <- s mu |F_n| / (k_t |s|), F_t = -k_t s
+///               else                  F_t = -k_t s - gamma_t v_t, gamma_t = -2 sqrt(5/6) beta sqrt(S_t m*)
+///   rolling     M <- M + k_r w dt, k_r = rolling_stiffness k_n mu_r^2 R*^2
+///               |M| >  mu_r |F_n| R*: M <- M mu_r |F_n| R* / |M|, torque M
+///               else                  torque M + eta_r 2 sqrt(I_r k_r) w
+///   on first    force F_n n + F_t, torque -c_1 n x F_t - (rolling torque)
+///   on second   minus the force,   torque -c_2 n x F_t + (rolling torque)
+/// `sliding` and `rolling` say that the cap was reached. M is neither projected nor rotated with the contact.
+///
+/// advance_history = true does one step of `time_step` (s). false evaluates the force that belongs to a stored
+/// history, as it stood at the end of a step: neither s nor M is advanced, projected or changed, and as both were
+/// capped already, k_t |s| >= (1 - 1e-9) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its
+/// cap acts with the cap.
+ContactForce evaluate_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
+                              const Vector3& tangential_spring, const Vector3& rolling_torque, double time_step,
+                              bool advance_history);
+
+/// Force (N, repulsion positive, not clipped) of a frictionless plane of the same material on a sphere of `radius`
+/// (m) and `mass` (kg): Hertz with dashpot, R* = R, m* = m. `approach_velocity` (m/s) is positive when the overlap
+/// grows.
+double plane_normal_force(const Material& material, double radius, double mass, double overlap,
+                          double approach_velocity);
+
+}  // namespace flowslide

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "grains/assembly.hpp"
+
+namespace flowslide {
+
+/// Two touching grains, first < second; indices into the assembly.
+struct TouchingPair {
+  std::uint32_t first = 0, second = 0;
+  auto operator<=>(const TouchingPair&) const = default;
+};
+
+/// Which pairs a search leaves out.
+enum class SearchScope { all_pairs, without_pairs_of_one_layer };
+
+/// True if both grains are glued to the same layer.
+bool in_one_layer(const Assembly& assembly, std::uint32_t first, std::uint32_t second);
+
+/// All pairs with |x_1 - x_2| < R_1 + R_2 (nearest image on periodic axes), sorted by (first, second), each once. Cost
+/// is proportional to the number of grains through a grid of cells no narrower than the largest diameter; a periodic
+/// axis too short for three such cells is not divided, so that a small sample is searched pair by pair. Grains may lie
+/// outside the cell. Periodic lengths shall be at least two largest diameters: a pair is counted once even if it
+/// touched through two images.
+std::vector<TouchingPair> touching_pairs(const Assembly& assembly,
+                                         SearchScope scope = SearchScope::without_pairs_of_one_layer);
+
+}  // namespace flowslide

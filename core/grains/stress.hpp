@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "grains/assembly.hpp"
+#include "grains/contact_forces.hpp"
+#include "grains/material.hpp"
+#include "grains/vector.hpp"
+
+/// Homogenised stress of the whole cell. All tensors are compression positive with sigma_ij = (1/V) sum l_i f_j, first
+/// index the direction of the branch (the normal of the section), second that of the force.
+namespace flowslide {
+
+/// Bagi's stress, Pa (eq. 12). As printed
+///   <sigma>_B = 1/V [ sum_{c in I} l^c (x) f^c + sum_{e in E} l^e (x) f^e ].
+/// As coded, compression positive:
+///   sigma_B = 1/V [ sum_pairs (x_1 - x_2) (x) f_1 - sum_exterior (x_e - x_g) (x) f_e ],
+/// f_1 on the first grain; x_e the point at the boundary, f_e the force of the boundary on grain g. Exterior contacts:
+/// (1) a mobile grain at a plane, x_e the foot of its centre on the plane; (2) each glued grain, held by the plane
+/// behind it with minus the sum of its contact forces, x_e the foot of its centre on the plane z = lower or upper.
+///
+/// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Measure z from the bottom
+/// and let f be the force of a glued grain g on a mobile grain p: the pair gives (z_p - z_g) f and the glue, which holds
+/// g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is z_p f at the bottom and (z_p - H) f at the top. A
+/// plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2. The sum is sum_p z_p f_p - H F_top. (The two
+/// layers are assumed not to touch each other; if z is periodic, no grain may be glued.)
+Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
+
+/// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,
+///   -1/V sum_p chi . [(omega . epsilon) + omega (x) omega - |omega|^2 I].
+/// As coded, compression positive,
+///   +1/V sum_p m R^2/5 [alpha . epsilon + omega (x) omega - |omega|^2 I],   (alpha . epsilon)_ij = alpha_k eps_kij,
+/// since chi = (m R^2/5) I for a sphere. The first omega is printed without its dot: the term stems from the
+/// acceleration alpha x r + omega x (omega x r) of the points of a rigid grain, so it holds the angular acceleration
+/// alpha = T / I_s with the torque of the assembly. It then cancels the antisymmetric part of Bagi's stress, where
+/// sum r (x) f has the antisymmetric part epsilon . T / 2. Glued grains do not spin and add nothing.
+Matrix3 nicot_correction(const Assembly& assembly, const Material& material);
+
+/// Nicot's stress, Pa (eq. 13): Bagi's stress plus `nicot_correction`.
+Matrix3 nicot_stress(const Assembly& assembly, const ContactForces& forces, const Material& material);
+
+/// z row (sigma_zx, sigma_zy, sigma_zz), Pa, compression positive, without a loop over pairs:
+///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
+/// z from the bottom plane, H the height of the cell, f = assembly.force (contact forces only: no drag) and F_top =
+/// `top_on_mobile` the force (N) of the top boundary, layer and plane, ON the mobile grains (the grains push the
+/// boundary with minus this).
+Vector3 section_stress_from_forces(const Assembly& assembly, const Vector3& top_on_mobile);
+
+/// Stress in the terms of the slope.
+struct SlopeStress {
+  double normal = 0.0;   ///< sigma, Pa, compression positive
+  double shear = 0.0;    ///< tau, Pa, positive when the top drags the sample towards +x (downslope)
+  double mean = 0.0;     ///< p, Pa, compression positive
+};
+
+/// From a compression-positive tensor: sigma = sigma_zz, tau = -sigma_zx, p = trace/3. The sign of tau: dragged by the
+/// top towards +x, an upper grain is held back by the lower one, l_z > 0 and f_x < 0, so that sigma_zx < 0.
+/// The only place where the sign of shear is turned.
+SlopeStress slope_stress(const Matrix3& stress);
+
+}  // namespace flowslide
