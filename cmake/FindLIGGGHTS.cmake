@@ -3,9 +3,10 @@
 # Defines the target LIGGGHTS::LIGGGHTS and LIGGGHTS_VERSION.
 find_path(LIGGGHTS_INCLUDE_DIR liggghts/library.h)
 find_library(LIGGGHTS_LIBRARY NAMES liggghts)
-if(LIGGGHTS_INCLUDE_DIR AND EXISTS ${LIGGGHTS_INCLUDE_DIR}/liggghts/version.h)
-  file(READ ${LIGGGHTS_INCLUDE_DIR}/liggghts/version.h liggghts_version_header)
-  string(REGEX MATCH "[0-9]+\\.[0-9]+\\.[0-9]+" LIGGGHTS_VERSION "${liggghts_version_header}")
+# The headers name the version of LAMMPS that LIGGGHTS began from; its own stands in the package alone.
+execute_process(COMMAND dpkg-query -W -f=\${Version} libliggghts-dev OUTPUT_VARIABLE LIGGGHTS_VERSION ERROR_QUIET)
+if(NOT LIGGGHTS_VERSION)
+  set(LIGGGHTS_VERSION unknown)
 endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(LIGGGHTS REQUIRED_VARS LIGGGHTS_LIBRARY LIGGGHTS_INCLUDE_DIR

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cstdint>
-#include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "grains/assembly.hpp"
@@ -9,60 +9,66 @@
 
 namespace flowslide {
 
+/// An engine could not do what it was asked for. The message says what, where its log is, and how to mend it.
+struct EngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// How the boundaries move from now on. Zero everywhere holds the cell still.
 struct BoundaryMotion {
-  /// Velocities of the two layers and, in their normal component, of the planes at z = lower and z = upper, m/s.
+  /// Velocities of the two glued layers, m/s; their z components also move the planes behind them.
   Vector3 bottom_velocity = Vector3::Zero();
   Vector3 top_velocity = Vector3::Zero();
-  /// Rates of compression of the cell along x and y about its centre, 1/s (positive = shortening). A rigid axis moves
-  /// its two planes; a periodic axis carries all grains affinely, which does not enter their velocities.
+  /// Rates of compression of the cell along x and y about its centre, 1/s, positive when it becomes shorter. A rigid
+  /// axis moves its two planes; a periodic axis carries all grains affinely, which does not enter their velocities.
   double compression_rate_x = 0.0;
   double compression_rate_y = 0.0;
 };
 
-/// Forces that the six boundaries exert on the mobile grains, N: the planes, and the glued layers with the z planes.
-struct BoundaryForces {
-  Vector3 bottom = Vector3::Zero(), top = Vector3::Zero();
-  double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;  ///< normal components, along the axis
+/// Stress averaged over the cell, by contacts alone (no kinetic part, no drag), Pa. Compression is positive; shear is
+/// positive when the top drags the sample towards +x, which is downslope.
+struct CellStress {
+  double normal = 0.0;      ///< sigma = sigma_zz
+  double shear = 0.0;       ///< tau = sigma_zx
+  double transverse = 0.0;  ///< sigma_zy
+  double lateral_x = 0.0;   ///< sigma_xx
+  double lateral_y = 0.0;   ///< sigma_yy
+
+  /// p, the mean stress.
+  double mean() const { return (normal + lateral_x + lateral_y) / 3.0; }
 };
 
-/// Stress on horizontal sections, averaged over the cell without a loop over pairs; compression positive, shear
-/// positive when the top drags the sample towards +x (downslope).
-struct SectionStress {
-  double normal = 0.0;         ///< sigma = sigma_zz, Pa
-  double shear = 0.0;          ///< tau = sigma_zx, Pa
-  double transverse = 0.0;     ///< sigma_zy, Pa
-};
-
-/// Parameters that a run may change between two calls of `run`.
+/// Parameters that may change between two calls of `run`.
 struct EngineSettings {
   Material material;
-  double time_step = 5e-7;             ///< dt_L, s
-  double drag = 0.0;                   ///< c of the force -c v on each mobile grain, kg/s (preparation only)
+  double time_step = 5e-7;  ///< dt_L, s
+  double drag = 0.0;        ///< c of the force -c v on each mobile grain, kg/s; for preparation
 };
 
 /// A discrete element method engine: Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling, velocity
-/// Verlet. One object simulates one assembly. All calls are collective over the ranks of MPI_COMM_WORLD and return the
-/// same values on each. Errors are thrown as `EngineError`.
+/// Verlet, histories cleared when a contact opens. One object simulates one assembly. Every call is collective over
+/// the ranks of MPI_COMM_WORLD and returns the same values on each of them. Failures are thrown as `EngineError`.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Replaces what is simulated. The forces and histories of `assembly` are taken as they are: `load(save())` changes
-  /// nothing that a later `run` computes, up to rounding.
+  /// Replaces what is simulated. Forces and histories are taken as they are, so that `load(save(), settings)` changes
+  /// nothing that a later `run` computes, up to rounding. The boundaries stand still until `move`.
   virtual void load(const Assembly& assembly, const EngineSettings& settings) = 0;
-  /// The state at the end of the last step. Throws if a grain was lost.
+  /// The state at the end of the last step; positions along a periodic axis are folded into the cell.
   virtual Assembly save() const = 0;
   /// Changes parameters between steps.
   virtual void set(const EngineSettings& settings) = 0;
+  virtual const EngineSettings& settings() const = 0;
+  /// Sets the motion of the boundaries for the steps to come.
   virtual void move(const BoundaryMotion& motion) = 0;
-  /// Advances `steps` >= 0 time steps.
+  /// Advances `steps` >= 0 time steps of settings().time_step. `cell_stress` afterwards belongs to the last of them.
   virtual void run(std::int64_t steps) = 0;
 
-  /// Cost below one DEM step; of the end of the last step.
-  virtual SectionStress section_stress() const = 0;
-  virtual BoundaryForces boundary_forces() const = 0;
+  /// Stress at the end of the last step, at a cost below one step: no loop over pairs.
+  virtual CellStress cell_stress() const = 0;
   virtual Cell cell() const = 0;
+  /// Grains whose centre lies between the planes of every rigid axis.
   virtual std::uint64_t count_grains() const = 0;
 
   virtual std::string name() const = 0;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/liggghts/commands.hpp"
+
+#include <fmt/format.h>
+
+namespace flowslide {
+namespace {
+
+constexpr int atom_types = 3;
+
+std::string per_type(const char* property, double value) {
+  std::string line = fmt::format("fix {0} all property/global {0} peratomtype", property);
+  for (int i = 0; i < atom_types; ++i) line += fmt::format(" {:.17g}", value);
+  return line;
+}
+
+std::string per_pair(const char* property, double value) {
+  std::string line = fmt::format("fix {0} all property/global {0} peratomtypepair {1}", property, atom_types);
+  for (int i = 0; i < atom_types * atom_types; ++i) line += fmt::format(" {:.17g}", value);
+  return line;
+}
+
+std::string box_command(const Cell& cell) {
+  std::string line = "region box block";
+  for (int axis = 0; axis < 3; ++axis) {
+    const double margin = cell.periodic[axis] ? 0.0 : box_margin * cell.lengths()[axis];
+    line += fmt::format(" {:.17g} {:.17g}", cell.lower[axis] - margin, cell.upper[axis] + margin);
+  }
+  return line + " units box";
+}
+
+}  // namespace
+
+std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings, double skin) {
+  const Material& m = settings.material;
+  const auto& periodic = assembly.cell.periodic;
+  const auto boundary = [&](int axis) { return periodic[axis] ? 'p' : 'f'; };
+  return {
+      "hard_particles yes",  // E = 2 GPa is refused otherwise; must be the first command
+      "units si",
+      "atom_style granular",
+      "atom_modify map array",
+      fmt::format("boundary {} {} {}", boundary(0), boundary(1), boundary(2)),
+      "newton off",                // contact history needs both
+      "communicate single vel yes",
+      box_command(assembly.cell),
+      fmt::format("create_box {} box", atom_types),
+      fmt::format("neighbor {:.17g} bin", skin),
+      // A factor above 1 makes LIGGGHTS clear the history of a pair that separates; else it waits for the next build
+      // of the neighbour list and an old spring may come back to life.
+      "neigh_modify delay 0 every 1 check yes contact_distance_factor 1.005",
+      per_type("youngsModulus", m.youngs_modulus),
+      per_type("poissonsRatio", m.poisson_ratio),
+      per_pair("coefficientRestitution", m.restitution),
+      per_pair("coefficientFriction", m.sliding_friction),
+      per_pair("coefficientRollingFriction", m.rolling_friction),
+      per_pair("coefficientRollingViscousDamping", m.rolling_viscous_damping),
+      fmt::format("fix rollingStiffness all property/global rollingStiffness scalar {:.17g}", m.rolling_stiffness),
+      "pair_style gran model hertz tangential history rolling_friction epsd3",
+      "pair_coeff * *",
+      fmt::format("timestep {:.17g}", settings.time_step),
+      "thermo 0",
+  };
+}
+
+std::vector<std::string> grain_commands() {
+  const int bottom = atom_type(Role::bottom_layer), top = atom_type(Role::top_layer);
+  return {
+      fmt::format("group mobile type {}", atom_type(Role::mobile)),
+      // Contacts within a glued layer do no work but would keep a stress for ever.
+      fmt::format("neigh_modify exclude type {0} {0}", bottom),
+      fmt::format("neigh_modify exclude type {0} {0}", top),
+      "fix integrate mobile nve/sphere",
+      "fix steering all viscous 0.0",  // holds the place of this project's own fix
+  };
+}
+
+}  // namespace flowslide

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// LIGGGHTS reports every error through the class Error, whose methods end the process with exit(1) or MPI_Abort and,
+// with the screen off, without a word. They are exported functions of a shared library, so the definitions below take
+// their place (ELF symbol interposition) and turn an error into an exception that says what was going on.
+#include "dem/liggghts/error_bridge.hpp"
+
+#include <error.h>
+#include <mpi.h>
+
+#include <cstdio>
+#include <string>
+
+#include "dem/engine.hpp"
+
+namespace flowslide {
+
+LiggghtsActivity& liggghts_activity() {
+  static LiggghtsActivity activity;
+  return activity;
+}
+
+namespace {
+
+constexpr int exit_numerical_failure = 3;
+
+std::string message(const char* text) {
+  const LiggghtsActivity& activity = liggghts_activity();
+  return "LIGGGHTS failed: " + std::string(text) + "\n  while: " + activity.doing +
+         "\n  its log: " + activity.log.string();
+}
+
+/// An error that every rank reports together.
+[[noreturn]] void fail_together(const char* text) { throw EngineError(message(text)); }
+
+/// An error of one rank: the others wait in a collective call, so only ending all of them ends the run.
+[[noreturn]] void fail_alone(const char* text) {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (ranks == 1) fail_together(text);
+  std::fprintf(stderr, "error: %s\n", message(text).c_str());
+  std::fflush(stderr);
+  MPI_Abort(MPI_COMM_WORLD, exit_numerical_failure);
+  std::abort();
+}
+
+}  // namespace
+}  // namespace flowslide
+
+namespace LAMMPS_NS {
+
+void Error::all(const char*, int, const char* text) { flowslide::fail_together(text); }
+void Error::one(const char*, int, const char* text) { flowslide::fail_alone(text); }
+void Error::universe_all(const char*, int, const char* text) { flowslide::fail_together(text); }
+void Error::universe_one(const char*, int, const char* text) { flowslide::fail_alone(text); }
+void Error::fix_error(const char*, int, Fix*, const char* text) { flowslide::fail_together(text); }
+void Error::fix_error(const char*, int, Fix*, const char* style, const char* text) {
+  flowslide::fail_together(("fix " + std::string(style) + ": " + text).c_str());
+}
+void Error::compute_error(const char*, int, Compute*, const char* text) { flowslide::fail_together(text); }
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace flowslide {
+
+/// One LIGGGHTS simulation inside this process, on all ranks of MPI_COMM_WORLD. It writes its log to a file and
+/// nothing to the screen. Errors inside LIGGGHTS arrive as `EngineError` and name the command and the log.
+class LiggghtsInstance {
+ public:
+  explicit LiggghtsInstance(std::filesystem::path log);
+  ~LiggghtsInstance();
+  LiggghtsInstance(const LiggghtsInstance&) = delete;
+  LiggghtsInstance& operator=(const LiggghtsInstance&) = delete;
+
+  void command(const std::string& line);
+  /// Says what LIGGGHTS is about to do, for the message of an error that no command caused.
+  void enter(std::string activity) const;
+
+  LAMMPS_NS::LAMMPS& operator*() const { return *instance_; }
+  LAMMPS_NS::LAMMPS* operator->() const { return instance_; }
+  const std::filesystem::path& log() const { return log_; }
+
+ private:
+  std::filesystem::path log_;
+  LAMMPS_NS::LAMMPS* instance_ = nullptr;
+};
+
+/// Starts MPI at first use and ends it with the process, unless the caller has done so. Safe to call again.
+void ensure_mpi();
+int mpi_rank();
+int mpi_ranks();
+
+}  // namespace flowslide

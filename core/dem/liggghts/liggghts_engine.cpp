@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/liggghts/liggghts_engine.hpp"
+
+#include <atom.h>
+#include <atom_vec.h>
+#include <compute.h>
+#include <domain.h>
+#include <fmt/format.h>
+#include <force.h>
+#include <integrate.h>
+#include <lammps.h>
+#include <modify.h>
+#include <mpi.h>
+#include <output.h>
+#include <pair.h>
+#include <update.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "dem/liggghts/commands.hpp"
+#include "dem/liggghts/pair_histories.hpp"
+#include "dem/liggghts/steering_fix.hpp"
+
+namespace flowslide {
+namespace {
+
+/// What the neighbour list reaches beyond touching, as a share of the smallest diameter.
+constexpr double skin_share = 0.05;
+
+void sum_over_ranks(double* values, std::size_t count) {
+  MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+}
+
+std::vector<ContactHistory> gather(const std::vector<ContactHistory>& mine) {
+  const int bytes = static_cast<int>(mine.size() * sizeof(ContactHistory));
+  std::vector<int> counts(mpi_ranks()), offsets(mpi_ranks());
+  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  int total = 0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    offsets[rank] = total;
+    total += counts[rank];
+  }
+  std::vector<ContactHistory> all(total / sizeof(ContactHistory));
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE, MPI_COMM_WORLD);
+  std::sort(all.begin(), all.end(), [](const ContactHistory& a, const ContactHistory& b) {
+    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+  });
+  return all;
+}
+
+Vector3 fold(const Cell& cell, Vector3 position) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!cell.periodic[axis]) continue;
+    const double length = cell.lengths()[axis];
+    position[axis] -= length * std::floor((position[axis] - cell.lower[axis]) / length);
+    if (position[axis] >= cell.upper[axis]) position[axis] = cell.lower[axis];
+  }
+  return position;
+}
+
+}  // namespace
+
+LiggghtsEngine::LiggghtsEngine(std::filesystem::path log) : log_(std::move(log)) { ensure_mpi(); }
+LiggghtsEngine::~LiggghtsEngine() = default;
+
+void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settings) {
+  settings_ = settings;
+  motion_ = {};
+  grains_ = assembly.size();
+  instance_.reset();
+  instance_ = std::make_unique<LiggghtsInstance>(log_);
+  const double skin = skin_share * 2.0 * assembly.smallest_radius();
+  for (const std::string& line : setup_commands(assembly, settings, skin)) instance_->command(line);
+  create_grains(assembly);
+  for (const std::string& line : grain_commands()) instance_->command(line);
+  install_steering(assembly.cell);
+  restore(assembly);
+}
+
+void LiggghtsEngine::create_grains(const Assembly& assembly) {
+  instance_->enter("creating grains");
+  LAMMPS_NS::LAMMPS& lammps = **instance_;
+  LAMMPS_NS::Atom& atom = *lammps.atom;
+  const LAMMPS_NS::Domain& domain = *lammps.domain;
+  for (std::size_t k = 0; k < assembly.size(); ++k) {
+    Vector3 position = fold(assembly.cell, assembly.position[k]);
+    bool mine = true;
+    for (int axis = 0; axis < 3; ++axis)
+      mine = mine && position[axis] >= domain.sublo[axis] && position[axis] < domain.subhi[axis];
+    if (!mine) continue;
+    const int i = atom.nlocal;
+    atom.avec->create_atom(atom_type(assembly.role[k]), position.data());
+    const double radius = assembly.radius[k];
+    atom.tag[i] = static_cast<int>(k) + 1;
+    atom.radius[i] = radius;
+    atom.density[i] = settings_.material.density;
+    atom.rmass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * settings_.material.density;
+    Vector3::Map(atom.v[i]) = assembly.velocity[k];
+    Vector3::Map(atom.omega[i]) = assembly.spin[k];
+    for (int m = 0; m < lammps.modify->nfix; ++m)
+      if (lammps.modify->fix[m]->create_attribute) lammps.modify->fix[m]->set_arrays(i);
+  }
+  LAMMPS_NS::bigint count = atom.nlocal;
+  MPI_Allreduce(&count, &atom.natoms, 1, MPI_LMP_BIGINT, MPI_SUM, MPI_COMM_WORLD);
+  if (atom.natoms != static_cast<LAMMPS_NS::bigint>(assembly.size()))
+    throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
+                                  assembly.size() - atom.natoms, assembly.size()));
+  atom.nghost = 0;
+  atom.map_init();
+  atom.map_set();
+}
+
+void LiggghtsEngine::install_steering(const Cell& cell) {
+  LAMMPS_NS::Modify& modify = *(*instance_)->modify;
+  char id[] = "steering";
+  const int place = modify.find_fix(id);
+  // Styles cannot be registered from outside the library, but its list of fixes is public: put ours in the place that
+  // grain_commands() made for it.
+  delete modify.fix[place];
+  steering_ = new SteeringFix(&**instance_, cell, settings_);
+  modify.fix[place] = steering_;
+  modify.fmask[place] = steering_->setmask();
+}
+
+void LiggghtsEngine::restore(const Assembly& assembly) {
+  instance_->enter("setting up the first step");
+  LAMMPS_NS::LAMMPS& lammps = **instance_;
+  lammps.update->whichflag = 1;
+  lammps.init();
+  lammps.update->integrate->setup();
+  lammps.update->first_update = 1;
+  lammps.output->next = std::numeric_limits<LAMMPS_NS::bigint>::max();
+  // The set-up has evaluated forces with the velocities of the full step. Take back what the last step left.
+  write_histories(lammps, assembly.contacts);
+  LAMMPS_NS::Atom& atom = *lammps.atom;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    const std::size_t k = static_cast<std::size_t>(atom.tag[i] - 1);
+    Vector3::Map(atom.f[i]) = assembly.force[k];
+    Vector3::Map(atom.torque[i]) = assembly.torque[k];
+  }
+}
+
+void LiggghtsEngine::set(const EngineSettings& settings) {
+  const Material &now = settings_.material, &wanted = settings.material;
+  if (std::memcmp(&now, &wanted, sizeof(Material)) != 0) {  // LIGGGHTS has cached the properties of the material
+    const BoundaryMotion motion = motion_;
+    load(save(), settings);
+    move(motion);
+    return;
+  }
+  settings_ = settings;
+  LAMMPS_NS::LAMMPS& lammps = **instance_;
+  lammps.update->dt = settings.time_step;
+  for (int m = 0; m < lammps.modify->nfix; ++m) lammps.modify->fix[m]->reset_dt();
+  steering_->set(settings);
+}
+
+void LiggghtsEngine::move(const BoundaryMotion& motion) {
+  motion_ = motion;
+  steering_->move(motion);
+}
+
+void LiggghtsEngine::run(std::int64_t steps) {
+  constexpr std::int64_t most_at_once = 1'000'000'000;
+  for (; steps > 0; steps -= most_at_once) advance(static_cast<int>(std::min(steps, most_at_once)));
+}
+
+void LiggghtsEngine::advance(int steps) {
+  instance_->enter(fmt::format("running {} steps", steps));
+  LAMMPS_NS::Update& update = *(*instance_)->update;
+  update.nsteps = steps;
+  update.firststep = update.beginstep = update.ntimestep;
+  update.laststep = update.endstep = update.ntimestep + steps;
+  // Asks for the virial of the pairs at the last step, for the lateral stresses.
+  char pressure[] = "thermo_press";
+  LAMMPS_NS::Modify& modify = *(*instance_)->modify;
+  modify.compute[modify.find_compute(pressure)]->addstep(update.laststep);
+  // Nothing is set up again: `run N` through the command parser costs several steps at N = 1000.
+  update.integrate->run(steps);
+}
+
+CellStress LiggghtsEngine::cell_stress() const {
+  const SteeringFix::Sums sums = steering_->sums();
+  const double* virial = (*instance_)->force->pair->virial;
+  std::array<double, 14> values;
+  auto out = values.begin();
+  for (const Vector3* part : {&sums.mobile_height_times_force, &sums.top_force, &sums.mobile_moment,
+                              &sums.upper_plane})
+    out = std::copy(part->begin(), part->end(), out);
+  values[12] = virial[0];
+  values[13] = virial[1];
+  sum_over_ranks(values.data(), values.size());
+  const Cell& cell = steering_->cell();
+  const double volume = cell.volume();
+  const Vector3 section = (Vector3::Map(&values[0]) - cell.height() * Vector3::Map(&values[3])) / volume;
+  const auto lateral = [&](int axis) {
+    // A rigid axis has the cheap form as well; along a periodic one only pairs know the branch vector.
+    return cell.periodic[axis] ? values[12 + axis] / volume
+                               : (values[6 + axis] - cell.lengths()[axis] * values[9 + axis]) / volume;
+  };
+  return {section.z(), -section.x(), -section.y(), lateral(0), lateral(1)};
+}
+
+Cell LiggghtsEngine::cell() const { return steering_->cell(); }
+
+std::uint64_t LiggghtsEngine::count_grains() const {
+  std::uint64_t count = steering_->sums().grains;
+  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+  return count;
+}
+
+Assembly LiggghtsEngine::save() const {
+  const LAMMPS_NS::Atom& atom = *(*instance_)->atom;
+  constexpr std::size_t width = 17;  // five vectors, radius, role
+  std::vector<double> table(grains_ * width, 0.0);
+  for (int i = 0; i < atom.nlocal; ++i) {
+    double* row = &table[static_cast<std::size_t>(atom.tag[i] - 1) * width];
+    int column = 0;
+    for (double** array : {atom.x, atom.v, atom.omega, atom.f, atom.torque})
+      for (int axis = 0; axis < 3; ++axis) row[column++] = array[i][axis];
+    row[15] = atom.radius[i];
+    row[16] = atom.type[i];
+  }
+  sum_over_ranks(table.data(), table.size());
+
+  Assembly assembly;
+  assembly.cell = steering_->cell();
+  assembly.resize(grains_);
+  for (std::size_t k = 0; k < grains_; ++k) {
+    const double* row = &table[k * width];
+    if (row[16] == 0.0)
+      throw EngineError(fmt::format("grain {} left the cell: the time step {} s may be too large, or the boundaries "
+                                    "move too fast; log: {}", k, settings_.time_step, log_.string()));
+    assembly.position[k] = fold(assembly.cell, Vector3::Map(row));
+    assembly.velocity[k] = Vector3::Map(row + 3);
+    assembly.spin[k] = Vector3::Map(row + 6);
+    assembly.force[k] = Vector3::Map(row + 9);
+    assembly.torque[k] = Vector3::Map(row + 12);
+    assembly.radius[k] = row[15];
+    assembly.role[k] = role_of(static_cast<int>(row[16]));
+  }
+  assembly.contacts = gather(read_histories(**instance_));
+  return assembly;
+}
+
+std::string LiggghtsEngine::version() const { return FLOWSLIDE_LIGGGHTS_VERSION; }
+
+}  // namespace flowslide

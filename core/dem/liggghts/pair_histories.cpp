@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/liggghts/pair_histories.hpp"
+
+#include <atom.h>
+#include <force.h>
+#include <lammps.h>
+#include <neigh_list.h>
+#include <pair_gran.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace flowslide {
+namespace {
+
+/// Places in LIGGGHTS' array of histories per pair: the tangential model comes first, then EPSD3.
+constexpr int spring_offset = 0, torque_offset = 3;
+
+/// Calls visit(i, j, history) for every touching pair of the neighbour list of this rank: local indices, j may be a
+/// ghost. With `newton off` a pair with a ghost stands in the list of either owner.
+template <typename Visit>
+void for_each_touching_pair(LAMMPS_NS::LAMMPS& lammps, Visit visit) {
+  auto* pair = static_cast<LAMMPS_NS::PairGran*>(lammps.force->pair);
+  const LAMMPS_NS::NeighList& list = *pair->list;
+  const LAMMPS_NS::Atom& atom = *lammps.atom;
+  for (int k = 0; k < list.inum; ++k) {
+    const int i = list.ilist[k];
+    double* histories = list.listgranhistory->firstdouble[i];
+    for (int m = 0; m < list.numneigh[i]; ++m) {
+      const int j = list.firstneigh[i][m] & NEIGHMASK;
+      const double reach = atom.radius[i] + atom.radius[j];
+      if ((Vector3::Map(atom.x[i]) - Vector3::Map(atom.x[j])).squaredNorm() < reach * reach)
+        visit(i, j, histories + m * pair->dnum());
+    }
+  }
+}
+
+std::uint32_t index_of(const LAMMPS_NS::Atom& atom, int i) { return static_cast<std::uint32_t>(atom.tag[i] - 1); }
+
+}  // namespace
+
+std::vector<ContactHistory> read_histories(LAMMPS_NS::LAMMPS& lammps) {
+  std::vector<ContactHistory> contacts;
+  const LAMMPS_NS::Atom& atom = *lammps.atom;
+  for_each_touching_pair(lammps, [&](int i, int j, const double* history) {
+    const std::uint32_t a = index_of(atom, i), b = index_of(atom, j);
+    if (j >= atom.nlocal && a > b) return;  // the owner of the other grain, or the other image, reports it
+    const double sign = a < b ? 1.0 : -1.0;
+    contacts.push_back({std::min(a, b), std::max(a, b), sign * Vector3::Map(history + spring_offset),
+                        sign * Vector3::Map(history + torque_offset)});
+  });
+  return contacts;
+}
+
+void write_histories(LAMMPS_NS::LAMMPS& lammps, const std::vector<ContactHistory>& contacts) {
+  const LAMMPS_NS::Atom& atom = *lammps.atom;
+  for_each_touching_pair(lammps, [&](int i, int j, double* history) {
+    const std::uint32_t a = index_of(atom, i), b = index_of(atom, j);
+    const auto key = std::minmax(a, b);
+    const auto before = [](const ContactHistory& c, const std::pair<std::uint32_t, std::uint32_t>& k) {
+      return std::tie(c.first, c.second) < std::tie(k.first, k.second);
+    };
+    const std::pair<std::uint32_t, std::uint32_t> wanted{key.first, key.second};
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), wanted, before);
+    const bool known = found != contacts.end() && found->first == wanted.first && found->second == wanted.second;
+    const double sign = a < b ? 1.0 : -1.0;
+    Vector3::Map(history + spring_offset) = known ? Vector3(sign * found->tangential_spring) : Vector3::Zero();
+    Vector3::Map(history + torque_offset) = known ? Vector3(sign * found->rolling_torque) : Vector3::Zero();
+  });
+}
+
+}  // namespace flowslide
