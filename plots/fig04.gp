@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Figure 4: two loading rates, and two stress formulas on each: Bagi's (eq. 12, lines), Nicot's (eq. 13, marks).
+points = "I_1e-4 I_2e-2"
+tables = "I_1e-4.dat I_2e-2.dat legend.dat"
+command = "./reproduce fig04"
+script = ARG0; folder = ARG1; picture = ARG2
+load script[1:strlen(script) - strlen("fig04.gp")]."style.gp"
+
+array colour[2] = [blue, vermillion]
+array mark[2] = [6, 4]
+bagi_shear = 8; bagi_normal = 9; nicot_shear = 10; nicot_normal = 11
+table(i) = data(word(points, i).".dat")
+# Some thirty marks a curve, so that the line below stays visible.
+array step[2]
+do for [i = 1:2] {
+  stats table(i) using 1 nooutput
+  step[i] = STATS_records < 30 ? 1 : int(STATS_records / 30)
+}
+
+do for [format in "png pdf"] {
+  eval terminal(format, 14, 6.6)
+  set output picture.".".format
+  set multiplot layout 1, 2
+
+  set title panel("A", "stress path")
+  set xlabel "normal stress {/:Italic σ} (kPa)"
+  set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
+  set xrange [0:30]; set yrange [0:*]
+  set key top left Left reverse
+  plot for [i = 1:2] table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
+       for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal)):(kilo * column(nicot_shear)) \
+         with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
+
+  set title panel("B", "stress-strain response")
+  set xlabel "shear strain {/:Italic γ} (%)"
+  set xrange [0:*]
+  unset key
+  plot for [i = 1:2] table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
+       for [i = 1:2] table(i) every step[i] using (percent * column(column_strain)):(kilo * column(nicot_shear)) \
+         with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
+
+  unset multiplot
+  set output
+}
