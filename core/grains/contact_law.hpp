@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include "grains/material.hpp"
+#include "grains/pair_constants.hpp"
 #include "grains/vector.hpp"
 
 /// The contact law of LIGGGHTS 3.8 (`hertz`, `tangential history`, `rolling_friction epsd3`, `limitForce off`,
 /// `torsionTorque off`, `tangential_damping on`) as plain functions. Sources: Hertz; Mindlin without slip;
 /// Tsuji et al. 1992 for the dashpots; Ai et al. 2011 for the rolling model.
 namespace flowslide {
-
-/// What a contact law needs to know of a pair besides its motion; both spheres of the same material.
-struct PairConstants {
-  double radius_first = 0.0, radius_second = 0.0;  ///< R_1, R_2, m
-  double effective_radius = 0.0;         ///< R* = R_1 R_2 / (R_1 + R_2), m
-  double effective_mass = 0.0;           ///< m* = m_1 m_2 / (m_1 + m_2), kg
-  double effective_modulus = 0.0;        ///< Y* = E / (2 (1 - nu^2)), Pa
-  double effective_shear_modulus = 0.0;  ///< G* = E / (4 (2 - nu) (1 + nu)), Pa
-  double damping = 0.0;                  ///< beta = ln e / sqrt(ln^2 e + pi^2), in (-1, 0]
-  double rolling_inertia = 0.0;          ///< I_r = 7/5 J_1 J_2 / (J_1 + J_2) with J = m R^2, kg m^2
-};
-
-/// Mass (kg) of a sphere of `radius` (m).
-double sphere_mass(double radius, const Material& material);
-
-/// Moment of inertia I_s = 2/5 m R^2 (kg m^2) of a sphere about an axis through its centre.
-double sphere_inertia(double radius, const Material& material);
-
-/// Constants of two touching spheres.
-PairConstants pair_constants(const Material& material, double radius_first, double radius_second);
-
-/// Constants of a sphere at a plane of its own material: R* = R, m* = m; the rolling inertia is that of the sphere.
-PairConstants plane_constants(const Material& material, double radius);
 
 /// Motion of a touching pair; velocities are those of the half step, the geometry is that of the full step.
 struct ContactKinematics {

@@ -30,7 +30,7 @@ double rayleigh_time(double radius, const Material& material);
 
 /// Duration (s) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s, > 0):
 /// t_H = 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) overlap_max / speed, overlap_max = [15 m* v^2 / (16 Y* sqrt(R*))]^(2/5).
-/// Source: Hertz; Johnson, Contact Mechanics, sec. 11.4. Throws std::invalid_argument unless impact_speed > 0.
+/// Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws std::invalid_argument unless impact_speed > 0.
 double hertz_contact_time(double radius, const Material& material, double impact_speed);
 
 /// Largest overlap (m) of that impact.

@@ -18,10 +18,10 @@ namespace flowslide {
 /// behind it with minus the sum of its contact forces, x_e the foot of its centre on the plane z = lower or upper.
 ///
 /// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Measure z from the bottom
-/// and let f be the force of a glued grain g on a mobile grain p: the pair gives (z_p - z_g) f and the glue, which holds
-/// g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is z_p f at the bottom and (z_p - H) f at the top. A
-/// plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2. The sum is sum_p z_p f_p - H F_top. (The two
-/// layers are assumed not to touch each other; if z is periodic, no grain may be glued.)
+/// and let f be the force of a glued grain g on a mobile grain p: the pair gives (z_p - z_g) f and the glue, which
+/// holds g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is z_p f at the bottom and (z_p - H) f at the
+/// top. A plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2. The sum is sum_p z_p f_p - H F_top.
+/// (The two layers are assumed not to touch each other; if z is periodic, no grain may be glued.)
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
 
 /// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,

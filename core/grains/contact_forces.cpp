@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "grains/contact_forces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "grains/contact_search.hpp"
+
+namespace flowslide {
+namespace {
+
+struct HalfStep {
+  std::vector<Vector3> velocity, spin;
+};
+
+HalfStep half_step_velocities(const Assembly& assembly, const Material& material, double time_step) {
+  HalfStep half{assembly.velocity, assembly.spin};
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    if (assembly.role[i] != Role::mobile) continue;
+    half.velocity[i] -= 0.5 * time_step / sphere_mass(assembly.radius[i], material) * assembly.force[i];
+    half.spin[i] -= 0.5 * time_step / sphere_inertia(assembly.radius[i], material) * assembly.torque[i];
+  }
+  return half;
+}
+
+/// The stored history of a pair; unloaded springs where there is none.
+ContactHistory history_of(const Assembly& assembly, const TouchingPair& pair) {
+  const auto before = [](const ContactHistory& a, const TouchingPair& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  };
+  const auto found = std::lower_bound(assembly.contacts.begin(), assembly.contacts.end(), pair, before);
+  const bool stored = found != assembly.contacts.end() && found->first == pair.first && found->second == pair.second;
+  return stored ? *found : ContactHistory{pair.first, pair.second, Vector3::Zero(), Vector3::Zero()};
+}
+
+Contact evaluate_pair(const Assembly& assembly, const Material& material, const HalfStep& half,
+                      const TouchingPair& pair, double time_step) {
+  const auto [i, j] = pair;
+  Contact contact;
+  contact.first = i;
+  contact.second = j;
+  contact.branch = assembly.cell.nearest_image(assembly.position[i] - assembly.position[j]);
+  const double distance = contact.branch.norm();
+  contact.overlap = assembly.radius[i] + assembly.radius[j] - distance;
+  ContactKinematics motion;
+  motion.normal = contact.branch / distance;
+  motion.overlap = contact.overlap;
+  motion.relative_velocity = half.velocity[i] - half.velocity[j];
+  motion.spin_first = half.spin[i];
+  motion.spin_second = half.spin[j];
+  contact.point_from_first = -(assembly.radius[i] - 0.5 * contact.overlap) * motion.normal;
+  contact.point_from_second = (assembly.radius[j] - 0.5 * contact.overlap) * motion.normal;
+  const ContactHistory history = history_of(assembly, pair);
+  contact.force = evaluate_contact(material, pair_constants(material, assembly.radius[i], assembly.radius[j]), motion,
+                                   history.tangential_spring, history.rolling_torque, time_step, false);
+  return contact;
+}
+
+void add_plane_contacts(const Assembly& assembly, const Material& material, const HalfStep& half,
+                        const PlaneVelocities& planes, std::uint32_t grain, std::vector<PlaneContact>& contacts) {
+  const double radius = assembly.radius[grain];
+  const Cell& cell = assembly.cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (cell.periodic[axis]) continue;
+    for (const bool upper : {false, true}) {
+      const double inward = upper ? -1.0 : 1.0;
+      const double plane = upper ? cell.upper[axis] : cell.lower[axis];
+      const double distance = inward * (assembly.position[grain][axis] - plane);
+      if (distance >= radius) continue;
+      const double plane_velocity = upper ? planes.upper[axis] : planes.lower[axis];
+      const double approach = inward * (plane_velocity - half.velocity[grain][axis]);
+      const double force =
+          plane_normal_force(material, radius, sphere_mass(radius, material), radius - distance, approach);
+      const Vector3 normal = inward * Vector3::Unit(axis);
+      contacts.push_back({grain, axis, upper, radius - distance, -distance * normal, force * normal});
+    }
+  }
+}
+
+Vector3 force_of_boundary_on_mobile(const Assembly& assembly, const ContactForces& forces, Role layer, bool upper) {
+  Vector3 sum = Vector3::Zero();
+  for (const Contact& contact : forces.contacts) {
+    const Role first = assembly.role[contact.first], second = assembly.role[contact.second];
+    if (first == Role::mobile && second == layer) sum += contact.force.on_first;
+    if (first == layer && second == Role::mobile) sum -= contact.force.on_first;
+  }
+  for (const PlaneContact& contact : forces.plane_contacts)
+    if (contact.axis == 2 && contact.upper == upper) sum += contact.force_on_grain;
+  return sum;
+}
+
+}  // namespace
+
+ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& material, double time_step,
+                                      const PlaneVelocities& planes) {
+  const HalfStep half = half_step_velocities(assembly, material, time_step);
+  ContactForces forces;
+  for (const TouchingPair& pair : touching_pairs(assembly))
+    forces.contacts.push_back(evaluate_pair(assembly, material, half, pair, time_step));
+  for (std::uint32_t grain = 0; grain < assembly.size(); ++grain)
+    if (assembly.role[grain] == Role::mobile)
+      add_plane_contacts(assembly, material, half, planes, grain, forces.plane_contacts);
+  return forces;
+}
+
+GrainForces sum_on_grains(const ContactForces& forces, std::size_t grain_count) {
+  GrainForces sums;
+  sums.force.assign(grain_count, Vector3::Zero());
+  sums.torque.assign(grain_count, Vector3::Zero());
+  for (const Contact& contact : forces.contacts) {
+    sums.force[contact.first] += contact.force.on_first;
+    sums.force[contact.second] -= contact.force.on_first;
+    sums.torque[contact.first] += contact.force.torque_on_first;
+    sums.torque[contact.second] += contact.force.torque_on_second;
+  }
+  for (const PlaneContact& contact : forces.plane_contacts) sums.force[contact.grain] += contact.force_on_grain;
+  return sums;
+}
+
+Vector3 force_of_top_on_mobile(const Assembly& assembly, const ContactForces& forces) {
+  return force_of_boundary_on_mobile(assembly, forces, Role::top_layer, true);
+}
+
+Vector3 force_of_bottom_on_mobile(const Assembly& assembly, const ContactForces& forces) {
+  return force_of_boundary_on_mobile(assembly, forces, Role::bottom_layer, false);
+}
+
+}  // namespace flowslide

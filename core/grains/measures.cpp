@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "grains/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "grains/pair_constants.hpp"
+#include "grains/contact_search.hpp"
+#include "grains/require.hpp"
+
+namespace flowslide {
+namespace {
+
+/// sqrt(rho / p) D, s: the time that makes a shear rate an inertial number.
+double inertial_time(double mean_diameter, double density, double pressure) {
+  require(mean_diameter > 0.0, "mean diameter", mean_diameter, "> 0 m", "Is the assembly empty?");
+  require(density > 0.0, "density", density, "> 0 kg/m^3", "Give the density of the solid.");
+  require(pressure > 0.0, "pressure", pressure, "> 0 Pa",
+          "Without pressure the inertial number has no value: set a floor for the pressure.");
+  return mean_diameter * std::sqrt(density / pressure);
+}
+
+}  // namespace
+
+double void_ratio(const Assembly& assembly) {
+  const double solid = assembly.solid_volume();
+  require(solid > 0.0, "solid volume", solid, "> 0 m^3", "The assembly holds no grain.");
+  return (assembly.cell.volume() - solid) / solid;
+}
+
+double volume_below(double radius, double height) {
+  // Spherical cap of the depth h = R + height: pi h^2 (3 R - h) / 3.
+  const double depth = std::clamp(radius + height, 0.0, 2.0 * radius);
+  return std::numbers::pi * depth * depth * (3.0 * radius - depth) / 3.0;
+}
+
+double void_ratio_of_bulk(const Assembly& assembly, double margin) {
+  const Cell& cell = assembly.cell;
+  require(margin >= 0.0 && 2.0 * margin < cell.height(), "margin", margin,
+          "0 to less than half of the height, " + std::to_string(0.5 * cell.height()) + " m", "Use a smaller margin.");
+  const double bottom = cell.lower.z() + margin, top = cell.upper.z() - margin;
+  double solid = 0.0;
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    const double z = assembly.position[i].z();
+    solid += volume_below(assembly.radius[i], top - z) - volume_below(assembly.radius[i], bottom - z);
+  }
+  require(solid > 0.0, "solid volume", solid, "> 0 m^3", "No grain lies between the planes: use a smaller margin.");
+  return (cell.area() * (top - bottom) - solid) / solid;
+}
+
+double inertial_number(double shear_rate, double mean_diameter, double density, double pressure) {
+  return shear_rate * inertial_time(mean_diameter, density, pressure);
+}
+
+double shear_rate_for(double inertial_number, double mean_diameter, double density, double pressure) {
+  return inertial_number / inertial_time(mean_diameter, density, pressure);
+}
+
+double rayleigh_time(double radius, const Material& material) {
+  return std::numbers::pi * radius * std::sqrt(material.density / material.shear_modulus()) /
+         (0.1631 * material.poisson_ratio + 0.8766);
+}
+
+double hertz_impact_overlap(double radius, const Material& material, double impact_speed) {
+  require(impact_speed > 0.0, "impact speed", impact_speed, "> 0 m/s", "Give the relative speed of approach.");
+  const PairConstants pair = pair_constants(material, radius, radius);
+  const double energy = pair.effective_mass * impact_speed * impact_speed;
+  return std::pow(15.0 * energy / (16.0 * pair.effective_modulus * std::sqrt(pair.effective_radius)), 0.4);
+}
+
+double hertz_contact_time(double radius, const Material& material, double impact_speed) {
+  const double factor = 2.0 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
+  return factor * hertz_impact_overlap(radius, material, impact_speed) / impact_speed;
+}
+
+double coordination_number(const Assembly& assembly) {
+  const auto is_mobile = [&](std::uint32_t i) { return assembly.role[i] == Role::mobile; };
+  const auto mobile = std::count(assembly.role.begin(), assembly.role.end(), Role::mobile);
+  if (mobile == 0) return 0.0;
+  std::int64_t ends = 0;
+  for (const TouchingPair& pair : touching_pairs(assembly)) ends += is_mobile(pair.first) + is_mobile(pair.second);
+  return static_cast<double>(ends) / static_cast<double>(mobile);
+}
+
+double mean_overlap(const Assembly& assembly) {
+  const auto pairs = touching_pairs(assembly);
+  if (pairs.empty()) return 0.0;
+  double sum = 0.0;
+  for (const auto& [i, j] : pairs) {
+    const Vector3 branch = assembly.cell.nearest_image(assembly.position[i] - assembly.position[j]);
+    sum += assembly.radius[i] + assembly.radius[j] - branch.norm();
+  }
+  return sum / static_cast<double>(pairs.size());
+}
+
+double typical_overlap(double pressure, double mean_diameter, const Material& material, double void_ratio,
+                       double coordination_number) {
+  require(coordination_number > 0.0, "coordination number", coordination_number, "> 0", "Use 4.7.");
+  const double force = std::numbers::pi * mean_diameter * mean_diameter * (1.0 + void_ratio) * pressure /
+                       coordination_number;
+  const PairConstants pair = pair_constants(material, 0.5 * mean_diameter, 0.5 * mean_diameter);
+  return std::pow(3.0 * force / (4.0 * pair.effective_modulus * std::sqrt(pair.effective_radius)), 2.0 / 3.0);
+}
+
+}  // namespace flowslide
