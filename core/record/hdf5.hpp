@@ -3,10 +3,10 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "record/atomic_file.hpp"
@@ -76,7 +76,7 @@ class Group : public Object {
   Group group(const std::string& name) const;
   Dataset dataset(const std::string& name) const;
   bool has(const std::string& name) const;
-  std::vector<std::string> names() const;  ///< of its groups and datasets, in alphabetical order
+  std::vector<std::string> names() const;  ///< of its groups and datasets, in the order of their creation
 
   /// Creates an array, row-major. T: double, std::uint32_t, std::uint8_t. Throws std::invalid_argument if the number of
   /// values is not the product of `shape`.
@@ -85,7 +85,7 @@ class Group : public Object {
   Dataset write(const std::string& name, double value);
   Dataset write_text(const std::string& name, std::string_view text);
 
-  /// Throws if it is of another type or, with an extent given, of another shape. An extent of `any` fits every length.
+  /// Throws if it is missing, of another type or of another shape; an extent of `any` fits every length.
   template <typename T>
   std::vector<T> read(const std::string& name, const Shape& expected) const;
   double read_number(const std::string& name) const;
@@ -106,8 +106,8 @@ class File {
   /// The file whose bytes are `image`. The image is copied.
   static File open(std::string_view image, const std::string& path);
 
-  Group& root() { return *root_; }
-  const Group& root() const { return *root_; }
+  Group& root() { return root_; }
+  const Group& root() const { return root_; }
   /// The bytes of the file as they belong on disk.
   std::string image() const;
 
@@ -115,7 +115,7 @@ class File {
   File(Handle handle, const std::string& path);
   Handle handle_;
   std::string path_;
-  std::unique_ptr<Group> root_;
+  Group root_;
 };
 
 }  // namespace flowslide::hdf5

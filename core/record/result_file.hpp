@@ -16,7 +16,7 @@ struct Result {
   std::string configuration;        ///< resolved, as text
   std::string configuration_hash;   ///< of that text, see sha256.hpp
   Series series;
-  std::vector<Metric> metrics;      ///< in alphabetical order when read back
+  std::vector<Metric> metrics;
 };
 
 /// Writes one HDF5 file, whole or not at all, for h5py and xarray (group "series") to read unaided:

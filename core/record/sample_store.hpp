@@ -17,7 +17,7 @@ namespace flowslide {
 struct StoredSample {
   std::string recipe;               ///< text of all that determined it
   Assembly assembly;
-  std::vector<Metric> metrics;      ///< such as void ratio and the stresses reached; alphabetical when read back
+  std::vector<Metric> metrics;      ///< such as void ratio and the stresses reached
 };
 
 /// Prepared samples in a folder, one file <key>.h5 each, `key` being the hash of the recipe (letters and digits).

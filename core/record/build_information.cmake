@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Two lives. Included by core/CMakeLists.txt after flowslide_library(record): adds a target that runs on each build.
+# Run by that target (cmake -P): writes record/build_values.hpp, and touches it only if something changed.
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  set(build_values_folder ${PROJECT_BINARY_DIR}/generated)
+  get_target_property(options flowslide_options INTERFACE_COMPILE_OPTIONS)
+  list(JOIN options " " options)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
+  add_custom_target(flowslide_build_values
+    COMMAND ${CMAKE_COMMAND} -D "source=${PROJECT_SOURCE_DIR}" -D "output=${build_values_folder}/record/build_values.hpp"
+            -D "code_version=${PROJECT_VERSION}" -D "compiler=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+            -D "compiler_flags=${flags}" -D "build_type=${CMAKE_BUILD_TYPE}" -P ${CMAKE_CURRENT_LIST_FILE}
+    BYPRODUCTS ${build_values_folder}/record/build_values.hpp
+    COMMENT "" VERBATIM)
+  add_dependencies(flowslide_record flowslide_build_values)
+  target_include_directories(flowslide_record PRIVATE ${build_values_folder})
+  return()
+endif()
+
+set(git_revision unknown)
+set(git_state unknown)
+find_program(git git)
+# The folder above a source archive may be a repository of something else: only our own root counts.
+if(git AND EXISTS ${source}/.git)
+  execute_process(COMMAND ${git} -C ${source} rev-parse HEAD OUTPUT_VARIABLE revision RESULT_VARIABLE failed
+                  OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT failed)
+    set(git_revision ${revision})
+    execute_process(COMMAND ${git} -C ${source} --no-optional-locks status --porcelain OUTPUT_VARIABLE changes
+                    RESULT_VARIABLE failed ERROR_QUIET)
+    if(NOT failed AND changes STREQUAL "")
+      set(git_state clean)
+    elseif(NOT failed)
+      set(git_state dirty)
+    endif()
+  endif()
+endif()
+
+# The paper is the preferred citation or the first reference; the software itself has no DOI line before it.
+set(paper_doi unknown)
+if(EXISTS ${source}/CITATION.cff)
+  file(STRINGS ${source}/CITATION.cff doi_lines REGEX "^[ -]+doi: ")
+  if(doi_lines)
+    list(GET doi_lines 0 line)
+    string(REGEX REPLACE "^[ -]+doi: *[\"']?([^\"' ]+).*" "\\1" paper_doi "${line}")
+  endif()
+endif()
+
+set(text "// Made by core/record/build_information.cmake on each build.\n#pragma once\n")
+string(APPEND text "namespace flowslide::build_information {\n")
+foreach(name code_version git_revision git_state compiler compiler_flags build_type paper_doi)
+  string(REPLACE "\\" "\\\\" value "${${name}}")
+  string(REPLACE "\"" "\\\"" value "${value}")
+  string(APPEND text "inline constexpr const char* ${name} = \"${value}\";\n")
+endforeach()
+string(APPEND text "}\n")
+set(old "")
+if(EXISTS ${output})
+  file(READ ${output} old)
+endif()
+if(NOT text STREQUAL old)
+  file(WRITE ${output} "${text}")
+endif()

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/result_file.hpp"
+
+#include <fmt/format.h>
+
+#include "record/hdf5.hpp"
+#include "record/sealed_file.hpp"
+#include "record/series_group.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr const char* mend = "delete it and run that point again";
+
+/// Calls `visit(name, member)` for each member; the one list that writing and reading share.
+template <typename P, typename Visit>
+void for_each_member(P& provenance, Visit&& visit) {
+  visit("code_version", provenance.code_version);
+  visit("git_revision", provenance.git_revision);
+  visit("git_state", provenance.git_state);
+  visit("compiler", provenance.compiler);
+  visit("compiler_flags", provenance.compiler_flags);
+  visit("build_type", provenance.build_type);
+  visit("paper_doi", provenance.paper_doi);
+  visit("host", provenance.host);
+  visit("command_line", provenance.command_line);
+  visit("start_time", provenance.start_time);
+  visit("engine", provenance.engine);
+  visit("engine_version", provenance.engine_version);
+  visit("mpi_ranks", provenance.mpi_ranks);
+  visit("case", provenance.case_name);
+  visit("point", provenance.point);
+  visit("figure", provenance.figure);
+  visit("scale", provenance.scale);
+  visit("seed", provenance.seed);
+  visit("replicate", provenance.replicate);
+}
+
+struct ReadMember {
+  const hdf5::Group& root;
+  void operator()(const char* name, std::string& value) const { value = root.text_attribute(name); }
+  void operator()(const char* name, std::int64_t& value) const { value = root.integer_attribute(name); }
+  void operator()(const char* name, int& value) const { value = static_cast<int>(root.integer_attribute(name)); }
+};
+
+hdf5::File open_result(const std::filesystem::path& path) {
+  return hdf5::File::open(read_sealed(path, mend), path.string());
+}
+
+}  // namespace
+
+void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists) {
+  auto file = hdf5::File::create(path.string());
+  auto& root = file.root();
+  for_each_member(result.provenance, [&](const char* name, const auto& value) { root.set_attribute(name, value); });
+  root.set_attribute("configuration_hash", result.configuration_hash);
+  root.write_text("configuration", result.configuration).set_attribute("hash", result.configuration_hash);
+  write_series(root, "series", result.series);
+  write_metrics(root, "metrics", result.metrics);
+  write_sealed(path, file.image(), if_exists);
+}
+
+Result read_result(const std::filesystem::path& path) {
+  const auto file = open_result(path);
+  const auto& root = file.root();
+  Result result;
+  for_each_member(result.provenance, ReadMember{root});
+  result.configuration_hash = root.text_attribute("configuration_hash");
+  result.configuration = root.read_text("configuration");
+  result.series = read_series(root, "series");
+  result.metrics = read_metrics(root, "metrics");
+  return result;
+}
+
+bool is_complete(const std::filesystem::path& path, const std::string& configuration_hash) {
+  try {
+    return open_result(path).root().text_attribute("configuration_hash") == configuration_hash;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+}  // namespace flowslide

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/sample_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "record/assembly_group.hpp"
+#include "record/hdf5.hpp"
+#include "record/sealed_file.hpp"
+#include "record/series_group.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr const char* mend = "delete it, and the sample will be prepared again";
+
+void check_finite(const Assembly& assembly) {
+  const auto require = [](bool finite, const char* name, std::size_t index) {
+    if (!finite) throw std::invalid_argument(fmt::format("a sample whose {} of entry {} is not finite", name, index));
+  };
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    require(std::isfinite(assembly.radius[i]), "radius", i);
+    require(assembly.position[i].allFinite(), "position", i);
+    require(assembly.velocity[i].allFinite(), "velocity", i);
+    require(assembly.spin[i].allFinite(), "spin", i);
+    require(assembly.force[i].allFinite(), "force", i);
+    require(assembly.torque[i].allFinite(), "torque", i);
+  }
+  for (std::size_t i = 0; i < assembly.contacts.size(); ++i) {
+    require(assembly.contacts[i].tangential_spring.allFinite(), "contact spring", i);
+    require(assembly.contacts[i].rolling_torque.allFinite(), "contact torque", i);
+  }
+}
+
+}  // namespace
+
+SampleStore::SampleStore(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error)
+    throw FileError(fmt::format("cannot create the folder of samples {}: {}; choose one that you may write",
+                                folder_.string(), error.message()));
+}
+
+std::filesystem::path SampleStore::path(const std::string& key) const {
+  const bool plain = std::ranges::all_of(key, [](unsigned char c) { return std::isalnum(c) != 0; });
+  if (key.empty() || !plain)
+    throw std::invalid_argument(fmt::format("'{}' is no key of a sample: letters and digits only", key));
+  return folder_ / (key + ".h5");
+}
+
+std::optional<StoredSample> SampleStore::find(const std::string& key) const {
+  const auto file_path = path(key);
+  std::error_code error;
+  if (!std::filesystem::exists(file_path, error) && !error) return std::nullopt;
+  const std::string image = read_sealed(file_path, mend);
+  try {
+    const auto file = hdf5::File::open(image, file_path.string());
+    const auto& root = file.root();
+    if (root.text_attribute("key") != key)
+      throw CorruptFileError(fmt::format("{} holds the sample of another key", file_path.string()));
+    return StoredSample{root.read_text("recipe"), read_assembly(root, "assembly"), read_metrics(root, "metrics")};
+  } catch (const CorruptFileError& error) {
+    throw CorruptFileError(fmt::format("{}; {}", error.what(), mend));
+  }
+}
+
+void SampleStore::put(const std::string& key, const StoredSample& sample) const {
+  const auto file_path = path(key);
+  auto file = hdf5::File::create(file_path.string());
+  auto& root = file.root();
+  root.set_attribute("key", key);
+  root.write_text("recipe", sample.recipe);
+  write_assembly(root, "assembly", sample.assembly);
+  check_finite(sample.assembly);
+  write_metrics(root, "metrics", sample.metrics);
+  write_sealed(file_path, file.image(), IfExists::replace);
+}
+
+FileLock SampleStore::lock(const std::string& key) const {
+  return FileLock(path(key).replace_extension(".lock"));
+}
+
+StoredSample SampleStore::find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const {
+  if (auto sample = find(key)) return *std::move(sample);
+  const auto held = lock(key);
+  // Another process may have prepared it while this one waited.
+  if (auto sample = find(key)) return *std::move(sample);
+  auto sample = prepare();
+  put(key, sample);
+  return sample;
+}
+
+}  // namespace flowslide
