@@ -8,7 +8,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
   add_custom_target(flowslide_build_values
-    COMMAND ${CMAKE_COMMAND} -D "source=${PROJECT_SOURCE_DIR}" -D "output=${build_values_folder}/record/build_values.hpp"
+    COMMAND ${CMAKE_COMMAND} -D "source=${PROJECT_SOURCE_DIR}"
+            -D "output=${build_values_folder}/record/build_values.hpp"
             -D "code_version=${PROJECT_VERSION}" -D "compiler=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
             -D "compiler_flags=${flags}" -D "build_type=${CMAKE_BUILD_TYPE}" -P ${CMAKE_CURRENT_LIST_FILE}
     BYPRODUCTS ${build_values_folder}/record/build_values.hpp

@@ -29,7 +29,7 @@ struct Result {
 /// Throws std::invalid_argument for a series or metric that must not be written, and FileError as write_atomically.
 void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists = IfExists::refuse);
 
-/// Throws FileError if the file is missing, CorruptFileError if it is not, whole and unaltered, what write_result wrote.
+/// Throws FileError if the file is missing, CorruptFileError if it is not, whole and unaltered, what write_result made.
 Result read_result(const std::filesystem::path& path);
 
 /// True if `path` holds a whole, unaltered result of that configuration. A missing or damaged file is not complete.

@@ -10,7 +10,7 @@ namespace flowslide {
 
 /// From where a sample is seen: parallel projection, z upwards.
 struct View {
-  double azimuth = -60.0;        ///< degrees, of the viewer about z; 0 looks along -x from the side of positive x
+  double azimuth = -65.0;        ///< degrees, of the viewer about z from the x axis; at -90 x points to the right
   double elevation = 20.0;       ///< degrees above the horizontal
   double shear_strain = 0.0;     ///< gamma of the drawn cell: grains are folded into the sheared cell
   int shells = 6;                ///< circles per grain, from its rim to its highlight, >= 1
@@ -28,8 +28,9 @@ struct Disc {
 std::vector<Disc> draw_grains(const Assembly& assembly, const View& view = {});
 
 /// Writes the picture for gnuplot, whole or not at all. First block: one disc a row, columns across, up, radius (m),
-/// shade, role; draw with `plot FILE index 0 using 1:2:3:... with circles`. Second block (index 1): the edges of the
-/// cell, two rows each and an empty row; column 3 is 1 for an edge in front, 0 behind.
+/// shade, role: `plot FILE index 0 using 1:2:3:(COLOUR of 4 and 5) with circles fillcolor rgb variable fill solid`.
+/// Second block (index 1): the edges of the cell in front of the grains, two rows and an empty one each, columns
+/// across, up: `plot FILE index 1 using 1:2 with lines`. Third block (index 2): those behind, to be drawn first.
 void write_picture(const std::filesystem::path& path, const Assembly& assembly, const View& view = {});
 
 }  // namespace flowslide

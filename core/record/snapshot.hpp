@@ -10,6 +10,12 @@
 
 namespace flowslide {
 
+/// `position` (m) moved by whole cell lengths into the cell, along its periodic axes.
+Vector3 folded(const Cell& cell, Vector3 position);
+
+/// The twelve edges of the cell, shape (12, 2) points, m: along x, then y, then z, each from lower to upper.
+std::vector<Vector3> cell_edges(const Cell& cell);
+
 /// Writes the grains as VTK PolyData (.vtp), one point each, for ParaView ("Point Gaussian", or Glyph: sphere scaled by
 /// `diameter`): arrays radius, diameter (m), velocity (m/s), spin (rad/s), role (0 mobile, 1 bottom, 2 top layer), in
 /// single precision, positions folded into the periodic cell. Writes whole or not at all.
