@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash
+# Set-up that ./check and ./reproduce share: packages, configuration, build. Sourced; sets `root`.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# One rank computes with one thread; points and ranks share the cores, so no rank is tied to one.
+export OMP_NUM_THREADS=1
+export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_rmaps_base_oversubscribe=1
+if ((EUID == 0)); then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi
+
+say() { printf '%s\n' "$*" >&2; }
+die() { say "$1"; exit "${2:-2}"; }
+
+# The packages of packages.txt, one a line.
+packages() { sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/packages.txt"; }
+
+missing_packages() {
+  local package
+  while read -r package; do
+    # shellcheck disable=SC2016  # dpkg-query expands it
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || printf '%s\n' "$package"
+  done < <(packages)
+}
+
+# quietly WHAT LOG COMMAND...: runs it with its output in LOG, shown too under CI=true, and its end when it fails.
+quietly() {
+  local what=$1 log=$2
+  shift 2
+  say "flowslide: $what"
+  mkdir -p "$(dirname "$log")"
+  if [[ ${CI-} == true ]]; then
+    "$@" 2>&1 | tee "$log" >&2 && return 0
+  else
+    "$@" >"$log" 2>&1 && return 0
+    tail -n 40 "$log" >&2
+  fi
+  die "flowslide: '$what' failed; the whole log is $log" 1
+}
+
+install_packages() {
+  local missing as_root=()
+  command -v dpkg-query >/dev/null || die \
+    "flowslide: this is no Debian: install what packages.txt names, then run: cmake --workflow --preset release"
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]})) || return 0
+
+  local install=(apt-get install -y --no-install-recommends "${missing[@]}")
+  if ((EUID != 0)); then
+    as_root=(sudo -n)
+    if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
+      say "flowslide: Debian packages are missing, and this user can install none without a password. As root, run:"
+      die "  apt-get update && ${install[*]}"
+    fi
+  fi
+  local quiet=(env DEBIAN_FRONTEND=noninteractive) options=(-q -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0)
+  quietly "apt-get update" "$root/build/apt.log" "${as_root[@]}" "${quiet[@]}" apt-get "${options[@]}" update </dev/null
+  quietly "install Debian packages: ${missing[*]}" "$root/build/apt.log" "${as_root[@]}" "${quiet[@]}" "${install[@]}" "${options[@]}" </dev/null
+}
+
+# build PRESET: configures and builds into build/PRESET. Two at a time wait for each other.
+build() {
+  local preset=$1
+  mkdir -p "$root/build"
+  (
+    flock 9
+    cd "$root" || exit
+    quietly "configure (preset $preset)" "$root/build/$preset-configure.log" cmake --preset "$preset"
+    quietly "build into build/$preset (minutes when new)" "$root/build/$preset-build.log" cmake --build --preset "$preset"
+  ) 9>"$root/build/.lock"
+}
+
+set_up() {
+  install_packages
+  build "$1"
+}
