@@ -29,7 +29,7 @@ struct Claim {
   double threshold = 0.0;           ///< the bound, or the lower of two
   double upper_threshold = 0.0;     ///< the upper bound of `between` (both inclusive); else equal to threshold
   std::string unit;                 ///< of metric and thresholds alike; "1" when dimensionless
-  std::string origin;               ///< of the tolerance: "rounding", "scheme order", "replicate spread", "published"...
+  std::string origin;               ///< of the tolerance: "rounding", "scheme order", "replicate spread", "published"
   std::vector<std::string> scales;  ///< at which the claim is made; all when not given
 
   /// "< 1 %", "between 0.79 and 0.81".

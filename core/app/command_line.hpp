@@ -42,12 +42,12 @@ struct CommandLine {
 /// each other (with what is allowed), and FinishedEarly for --help and --version.
 CommandLine parse(int argc, const char* const* argv, const CaseDescription& description);
 
-/// The layers of a run: the case file, its scale, --config, then --set and the options that stand for the top-level keys
-/// `engine`, `seed` and `replicates`.
+/// The layers of a run: the case file, its scale, --config, then --set and the options that stand for the top-level
+/// keys `engine`, `seed` and `replicates`.
 Layers layers_of(const CommandLine& command_line, const std::filesystem::path& case_file);
 
-/// The points to run, in the order of `available`: all, or those asked for with --point. Throws ConfigurationError for a
-/// point that is not there, with the nearest one that is.
+/// The points to run, in the order of `available`: all, or those asked for with --point. Throws ConfigurationError for
+/// a point that is not there, with the nearest one that is.
 std::vector<std::string> selected_points(const CommandLine& command_line, const std::vector<std::string>& available);
 
 }  // namespace flowslide

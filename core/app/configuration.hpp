@@ -37,14 +37,14 @@ struct Layers {
 /// dimension or out of range; the message gives file, line, column, key, the value as written, what is allowed and how
 /// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml.
 ///
-/// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the positions,
-/// from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too) as a whole.
+/// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the
+/// positions, from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too) as a whole.
 /// Keys are bare: letters, digits, "_" and "-". The table `scale` at the top is reserved.
-/// Getters mark the key as known, also when they throw.
+/// Getters mark the key as known, also when they throw. Not for use by several threads at once.
 class Configuration {
  public:
-  /// Reads all layers. Throws ConfigurationError when a file cannot be read, is not TOML (file, line and column), has no
-  /// such scale, or puts a table where another layer has a value or the other way round.
+  /// Reads all layers. Throws ConfigurationError when a file cannot be read, is not TOML (file, line and column), has
+  /// no such scale, or puts a table where another layer has a value or the other way round.
   explicit Configuration(const Layers& layers);
   /// A single layer from a text; `origin` stands for the file in messages.
   static Configuration from_text(std::string_view toml, std::string origin = "text");
@@ -68,8 +68,8 @@ class Configuration {
   std::vector<std::int64_t> integers(std::string_view key, const Range& range = Range::any()) const;
   std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed = {}) const;
 
-  /// Names of the tables under a key in the order of the files, "0", "1", ... for an array of tables; empty when the key
-  /// is not there. The values of one of them have the key `key + "." + name + "." + ...`.
+  /// Names of the tables under a key in the order of the files, "0", "1", ... for an array of tables; empty when the
+  /// key is not there. The values of one of them have the key `key + "." + name + "." + ...`.
   std::vector<std::string> subtables(std::string_view key) const;
 
   /// Marks a key, and if it is a table all below it, as known though this scene does not need it.
@@ -91,20 +91,23 @@ class Configuration {
 
  private:
   Configuration() = default;
+  void lay_over(const std::filesystem::path& file, const std::string& scale, std::vector<std::string>& scales);
   const Entry* find(std::string_view key) const;
   const Entry& require(std::string_view key, std::string_view wanted) const;
-  double checked(const Entry& entry, const Scalar& scalar, const Dimension& dimension, const Range& range) const;
-  std::int64_t checked_integer(const Entry& entry, const Scalar& scalar, const Range& range) const;
-  std::string checked_text(const Entry& entry, const Scalar& scalar, const std::vector<std::string>& allowed) const;
-  const std::vector<Scalar>& list(const Entry& entry, std::string_view wanted) const;
-  void remember(std::string_view key, std::string canonical, const Dimension& dimension) const;
-  bool known(const std::string& key) const;
+  const Entry& require_value(std::string_view key, std::string_view wanted) const;
+  std::vector<Scalar> require_items(std::string_view key, std::string_view wanted) const;
+  bool is_known(const std::string& key) const;
+  bool is_known_elsewhere(const std::string& key) const;
+  std::string with_wildcards(std::string_view key) const;
+  std::string unknown_message(const Entry& entry) const;
 
-  std::vector<Entry> entries_;     ///< in file order
+  std::string origin_;             ///< the first file
+  std::vector<Entry> entries_;     ///< in file order, parents before children
   std::vector<Entry> unselected_;  ///< of scales that were not chosen: checked for spelling only
-  mutable std::set<std::string, std::less<>> known_;
-  mutable std::set<std::string, std::less<>> accepted_;
-  mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with comment
+  mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
+  mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them
+  mutable std::set<std::string, std::less<>> listed_;    ///< tables asked for by subtables()
+  mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with its unit
 };
 
 }  // namespace flowslide

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -36,12 +35,12 @@ struct Scalar {
 struct Entry {
   enum class Kind { value, list, table };
 
-  std::string key;    ///< whole path, "sample.confining_stress"
+  std::string key;  ///< whole path, "sample.confining_stress"
   Kind kind = Kind::value;
-  Place key_place;    ///< of the key itself
-  Scalar whole;       ///< the value, or place and text of the list or table
-  std::vector<Scalar> items;   ///< of a list
-  bool table_of_list = false;  ///< a table that is, or stands in, an array of tables
+  Place key_place;              ///< of the key itself
+  Scalar whole;                 ///< the value, or place and text of the list or table
+  std::vector<Scalar> items;    ///< of a list
+  bool list_of_tables = false;  ///< a table that stands for an array of tables
 };
 
 /// Orders keys by their parts, parts made of digits by their number: "point.2" before "point.10".
@@ -49,20 +48,14 @@ struct KeyOrder {
   bool operator()(std::string_view a, std::string_view b) const;
 };
 
-/// Lays a TOML text flat, parents before children, in the order of the text. Throws ConfigurationError with place when
-/// it is not TOML or has a key that is not bare.
-std::vector<Entry> read_entries(std::string_view toml, const std::string& origin);
-
-/// The same from a file. Throws ConfigurationError when it cannot be read.
-std::vector<Entry> read_entries(const std::filesystem::path& file);
-
-/// The entries of one "key = value" of a command line, with `option` as their origin; see Override.
-std::vector<Entry> read_option(const std::string& key, const std::string& value, const std::string& option);
-
-/// Puts `layer` over `base`. Throws ConfigurationError when one has a table where the other has a value.
+/// Puts `layer` over `base`: tables are merged key by key, values and lists (of tables too) are replaced. Throws
+/// ConfigurationError when one has a table where the other has a value.
 void overlay(std::vector<Entry>& base, const std::vector<Entry>& layer);
 
-/// Removes the entries below `prefix` from `entries` and returns them with the prefix taken off their keys.
+/// Removes the entry `prefix` and all below it from `entries` and returns those below, the prefix taken off their keys.
 std::vector<Entry> take_below(std::vector<Entry>& entries, const std::string& prefix);
+
+/// Whether `key` stands below the table `table`: "a.b" stands below "a".
+bool stands_below(std::string_view key, std::string_view table);
 
 }  // namespace flowslide

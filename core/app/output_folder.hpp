@@ -12,7 +12,7 @@ namespace flowslide {
 enum class Overwrite { refuse, replace };
 
 /// Writes a file whole or not at all: aside in the same folder, synced, then renamed. Throws OutputError with path and
-/// cause (also when it is there and `overwrite` is refuse); then the old file is as it was and nothing is left beside it.
+/// cause (also when it is there and `overwrite` is refuse); then the old file is as it was and nothing is left beside.
 void write_atomically(const std::filesystem::path& file, std::string_view text,
                       Overwrite overwrite = Overwrite::replace);
 

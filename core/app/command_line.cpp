@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/error.hpp"
+#include "app/nearest.hpp"
+
+namespace flowslide {
+namespace {
+
+const std::vector<std::string> scale_names{"quick", "paper"};
+
+/// One word of a command as a shell would have to read it.
+std::string shell_word(std::string_view word) {
+  const auto plain = [](char c) {
+    constexpr std::string_view signs = "_-+=./:,@%";
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || signs.find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+/// A check that refuses any text but one of `names`, and proposes the nearest.
+auto one_of(const std::vector<std::string>& names) {
+  return [names](const std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+    return fmt::format("\"{}\" is not there; it must be {}; did you mean \"{}\"?", text, list_of(names),
+                       nearest(text, names));
+  };
+}
+
+std::string key_and_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos && equals > 0) return "";
+  return fmt::format("\"{}\" is not KEY=VALUE; write, for example, sample.confining_stress=\"3 kPa\"", text);
+}
+
+/// What the options fill before they are turned into a CommandLine.
+struct Raw {
+  std::vector<std::string> settings;
+  std::int64_t seed = 0;
+  std::int64_t replicates = 1;
+  std::string engine;
+  std::string configuration_file;
+  std::string output;
+};
+
+void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
+  const std::string group = "What to run";
+  app.add_option("--config", raw.configuration_file, "TOML file laid over the case's own case.toml")
+      ->type_name("FILE")->group(group);
+  app.add_option("--set", raw.settings, "One value of the configuration, such as sample.confining_stress=\"3 kPa\"; "
+                 "may be repeated")
+      ->type_name("KEY=VALUE")->expected(1)->allow_extra_args(false)
+      ->check(CLI::Validator(key_and_value, ""))->group(group);
+  app.add_option("--scale", command_line.scale, "Size of the run: quick (default) or paper")
+      ->type_name("SCALE")->check(CLI::Validator(one_of(scale_names), ""))->group(group);
+  app.add_option("--engine", raw.engine, fmt::format("Engine that moves the grains: {}; default: the key `engine`",
+                                                     fmt::join(description.engines, ", ")))
+      ->type_name("NAME")->check(CLI::Validator(one_of(description.engines), ""))->group(group);
+  app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
+      ->type_name("N")->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->group(group);
+  app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
+      ->type_name("N")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))->group(group);
+  app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
+      ->type_name("NAME")->expected(1)->allow_extra_args(false)->group(group);
+  app.add_option("--output", raw.output, fmt::format("Folder of the results; default: results/{}/SCALE",
+                                                     description.name))
+      ->type_name("DIR")->group(group);
+}
+
+void add_other_options(CLI::App& app, CommandLine& command_line) {
+  const std::string group = "Instead of a run";
+  auto* dry_run = app.add_flag("--dry-run", command_line.dry_run, "Print the resolved configuration, what the engine "
+                               "would be told, the steps and the predicted time; write nothing");
+  auto* list = app.add_flag("--list", command_line.list, "Print the points with their predicted time");
+  auto* check = app.add_flag("--check", command_line.check, "Evaluate the claims on the results in --output");
+  app.add_flag("--json", command_line.json, "Machine-readable output of --list or --check");
+  dry_run->excludes(list)->excludes(check)->group(group);
+  list->excludes(check)->group(group);
+  check->group(group);
+  app.get_option("--json")->group(group);
+}
+
+std::string footer(const std::string& name) {
+  return fmt::format(
+      "\nExamples:\n"
+      "  {0}                                         the whole case at quick scale\n"
+      "  {0} --list                                  its points and their predicted time\n"
+      "  {0} --scale paper --dry-run                 what the paper's size would do\n"
+      "  {0} --set sample.confining_stress=\"20 kPa\"  one value changed\n"
+      "\nExit codes:\n"
+      "  0 ok, 2 configuration, 3 numerical failure, 4 a claim not met, 75 stopped but resumable, 130 interrupted\n",
+      name);
+}
+
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const CaseDescription& description) {
+  std::string hint;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+    const std::vector<std::string> unknown = app.remaining();
+    if (!unknown.empty()) {
+      const std::string name = unknown.front().substr(0, unknown.front().find('='));
+      hint = fmt::format(" (did you mean \"{}\"?)", nearest(name, names));
+    }
+  }
+  throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
+}
+
+void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const CaseDescription& description) {
+  const auto given = [&app](const char* name) { return app.count(name) > 0; };
+  for (const std::string& setting : raw.settings) {
+    const std::size_t equals = setting.find('=');
+    command_line.overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1), "--set " + setting});
+  }
+  if (given("--config")) command_line.configuration_file = raw.configuration_file;
+  if (given("--engine")) {
+    command_line.engine = raw.engine;
+    command_line.overrides.push_back({"engine", fmt::format("\"{}\"", raw.engine), "--engine " + raw.engine});
+  }
+  const auto number = [&](const char* key, std::int64_t value, std::optional<std::int64_t>& target) {
+    if (!given(fmt::format("--{}", key).c_str())) return;
+    target = value;
+    command_line.overrides.push_back({key, fmt::format("{}", value), fmt::format("--{} {}", key, value)});
+  };
+  number("seed", raw.seed, command_line.seed);
+  number("replicates", raw.replicates, command_line.replicates);
+  if (given("--output") && raw.output.empty())
+    throw ConfigurationError("--output: the path is empty; name a folder");
+  command_line.output = given("--output") ? std::filesystem::path(raw.output)
+                                          : std::filesystem::path("results") / description.name / command_line.scale;
+  if (command_line.json && !command_line.list && !command_line.check)
+    throw ConfigurationError(fmt::format("--json needs --list or --check; see {} --help", description.name));
+}
+
+}  // namespace
+
+CommandLine parse(int argc, const char* const* argv, const CaseDescription& description) {
+  CommandLine command_line;
+  Raw raw;
+  CLI::App app(fmt::format("{}\nDraws {}.", description.description, fmt::join(description.figures, ", ")),
+               description.name);
+  app.set_help_flag("--help,-h", "Print this help and end")->group("About");
+  app.set_version_flag("--version", fmt::format("{} {}", description.name, description.version),
+                       "Print the version and end")->group("About");
+  app.footer(footer(description.name));
+  add_run_options(app, raw, command_line, description);
+  add_other_options(app, command_line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw FinishedEarly(app.help());
+  } catch (const CLI::CallForVersion& version) {
+    throw FinishedEarly(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    refuse(error, app, description);
+  }
+  fill(command_line, raw, app, description);
+  for (int i = 0; i < argc; ++i) command_line.text += (i > 0 ? " " : "") + shell_word(argv[i]);
+  return command_line;
+}
+
+Layers layers_of(const CommandLine& command_line, const std::filesystem::path& case_file) {
+  return {case_file, command_line.scale, command_line.configuration_file, command_line.overrides};
+}
+
+std::vector<std::string> selected_points(const CommandLine& command_line, const std::vector<std::string>& available) {
+  if (command_line.points.empty()) return available;
+  for (const std::string& point : command_line.points) {
+    if (const std::string problem = one_of(available)(point); !problem.empty())
+      throw ConfigurationError("--point: " + problem);
+  }
+  std::vector<std::string> chosen;
+  for (const std::string& point : available)
+    if (std::find(command_line.points.begin(), command_line.points.end(), point) != command_line.points.end())
+      chosen.push_back(point);
+  return chosen;
+}
+
+}  // namespace flowslide
