@@ -71,6 +71,7 @@ std::vector<std::string> grain_commands() {
       fmt::format("neigh_modify exclude type {0} {0}", bottom),
       fmt::format("neigh_modify exclude type {0} {0}", top),
       "fix integrate mobile nve/sphere",
+      "compute pair_virial all pressure thermo_temp virial",  // asked for at the last step of a run alone
       "fix steering all viscous 0.0",  // holds the place of this project's own fix
   };
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dem/liggghts/instance.hpp"
 
-#include <error.h>
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "dem/engine.hpp"
 #include "dem/liggghts/error_bridge.hpp"
@@ -34,6 +35,20 @@ class MpiSession {
   bool owner_ = false;
 };
 
+/// Instances that no engine uses. Each new one registers the contact models of the library again and complains of
+/// the first ones in hundreds of lines, so they are kept and cleared.
+std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
+  static std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>> instances;
+  return instances;
+}
+
+LAMMPS_NS::LAMMPS* start() {
+  std::array<std::string, 5> words{"flowslide", "-log", "none", "-screen", "none"};
+  std::array<char*, 5> arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+  return new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD);
+}
+
 }  // namespace
 
 void ensure_mpi() { static MpiSession session; }
@@ -54,15 +69,18 @@ int mpi_ranks() {
 
 LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(log)) {
   ensure_mpi();
-  enter("starting");
-  std::string program = "flowslide", log_flag = "-log", log_name = log_.string(), screen_flag = "-screen",
-              screen_name = "none";
-  std::array<char*, 5> arguments{program.data(), log_flag.data(), log_name.data(), screen_flag.data(),
-                                 screen_name.data()};
-  instance_ = new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD);
+  if (idle().empty()) {
+    enter("starting");
+    instance_ = start();
+  } else {
+    instance_ = idle().back().release();
+    idle().pop_back();
+    command("clear");
+  }
+  command("log \"" + log_.string() + "\"");
 }
 
-LiggghtsInstance::~LiggghtsInstance() { delete instance_; }
+LiggghtsInstance::~LiggghtsInstance() { idle().emplace_back(instance_); }
 
 void LiggghtsInstance::enter(std::string activity) const { liggghts_activity() = {std::move(activity), log_}; }
 

@@ -179,7 +179,7 @@ void LiggghtsEngine::advance(int steps) {
   update.firststep = update.beginstep = update.ntimestep;
   update.laststep = update.endstep = update.ntimestep + steps;
   // Asks for the virial of the pairs at the last step, for the lateral stresses.
-  char pressure[] = "thermo_press";
+  char pressure[] = "pair_virial";
   LAMMPS_NS::Modify& modify = *(*instance_)->modify;
   modify.compute[modify.find_compute(pressure)]->addstep(update.laststep);
   // Nothing is set up again: `run N` through the command parser costs several steps at N = 1000.

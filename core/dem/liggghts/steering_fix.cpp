@@ -88,16 +88,16 @@ void SteeringFix::push_from_planes() {
       const double radius = atom->radius[i], position = atom->x[i][axis], velocity = atom->v[i][axis];
       const double below = radius - (position - cell_.lower[axis]);
       if (below > 0.0) {
-        const double force = plane_normal_force(settings_.material, radius, atom->rmass[i], below,
+        const double push = plane_normal_force(settings_.material, radius, atom->rmass[i], below,
                                                 lower_velocity[axis] - velocity);
-        atom->f[i][axis] += force;
+        atom->f[i][axis] += push;
       }
       const double above = radius - (cell_.upper[axis] - position);
       if (above > 0.0) {
-        const double force = plane_normal_force(settings_.material, radius, atom->rmass[i], above,
+        const double push = plane_normal_force(settings_.material, radius, atom->rmass[i], above,
                                                 velocity - upper_velocity[axis]);
-        atom->f[i][axis] -= force;
-        upper_plane_[axis] -= force;
+        atom->f[i][axis] -= push;
+        upper_plane_[axis] -= push;
       }
     }
   }
@@ -106,11 +106,11 @@ void SteeringFix::push_from_planes() {
 void SteeringFix::drag_grains() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (role_of(atom->type[i]) != Role::mobile) continue;
-    const Vector3 force = -settings_.drag * Vector3::Map(atom->v[i]);
-    Vector3::Map(atom->f[i]) += force;
+    const Vector3 resistance = -settings_.drag * Vector3::Map(atom->v[i]);
+    Vector3::Map(atom->f[i]) += resistance;
     const Vector3 position = Vector3::Map(atom->x[i]) - cell_.lower;
-    drag_height_times_force_ += position.z() * force;
-    drag_moment_ += position.cwiseProduct(force);
+    drag_height_times_force_ += position.z() * resistance;
+    drag_moment_ += position.cwiseProduct(resistance);
   }
 }
 
@@ -118,14 +118,14 @@ SteeringFix::Sums SteeringFix::sums() const {
   Sums sums;
   for (int i = 0; i < atom->nlocal; ++i) {
     const auto position = Vector3::Map(atom->x[i]);
-    const auto force = Vector3::Map(atom->f[i]);
+    const auto total_force = Vector3::Map(atom->f[i]);
     const Role role = role_of(atom->type[i]);
     if (role == Role::mobile) {
       const Vector3 from_lower = position - cell_.lower;
-      sums.mobile_height_times_force += from_lower.z() * force;
-      sums.mobile_moment += from_lower.cwiseProduct(force);
+      sums.mobile_height_times_force += from_lower.z() * total_force;
+      sums.mobile_moment += from_lower.cwiseProduct(total_force);
     }
-    if (role == Role::top_layer) sums.top_force -= force;
+    if (role == Role::top_layer) sums.top_force -= total_force;
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis)
       inside = inside && (cell_.periodic[axis] || (position[axis] >= cell_.lower[axis] &&

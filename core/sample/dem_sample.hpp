@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "sample/sample.hpp"
+
+namespace flowslide {
+
+/// A prepared assembly in a DEM engine, sheared by its glued top layer while the bottom stands still and the lateral
+/// periods are fixed. The height H of a strain is that between the planes, so that tau times the shear rate times the
+/// volume is the power of the force on the top.
+class DemSample : public Sample {
+ public:
+  /// Loads the assembly, which needs glued layers; throws std::invalid_argument without them, or if the time step is
+  /// not possible.
+  DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
+
+  /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height, on top of its own: a
+  /// sudden start of the top alone would send a wave through the sample.
+  void start_linear_velocity_field(double shear_rate);
+
+  CellStress strain(const StrainRate& rate, std::int64_t steps) override;
+  CellStress stress() const override { return stress_; }
+  double shear_strain() const override { return shear_strain_; }
+  double void_ratio() const override;
+
+  double time() const { return time_; }       ///< local clock, s
+  std::int64_t steps() const { return steps_; }  ///< since the sample was loaded
+  /// The grains now, checked: NumericalFailure if one has gone wrong.
+  Assembly assembly() const;
+  const EngineSettings& settings() const { return engine_.settings(); }
+
+ private:
+  Engine& engine_;
+  std::uint64_t grains_;
+  double solid_volume_;
+  double shear_strain_ = 0.0;
+  double time_ = 0.0;
+  std::int64_t steps_ = 0;
+  CellStress stress_;
+};
+
+}  // namespace flowslide

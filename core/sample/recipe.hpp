@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <string>
+
+#include "grains/material.hpp"
+#include "grains/packing.hpp"
+
+namespace flowslide {
+
+/// Everything that determines a prepared sample. The four stages are those of the paper, sec. 2.2.1.
+struct SampleRecipe {
+  LatticePacking packing;
+  Material material;                      ///< of the finished sample (Table 1)
+  double normal_stress = 28.34e3;         ///< sigma_0, target of the three normal stresses, Pa
+  double shear_stress = 2.650e3;          ///< tau_0, target of sigma_zx, Pa; 0 prepares an isotropic sample
+  double preparation_friction = 0.3;      ///< mu_1 of stages 1 to 3; decides the density
+  double drag = 0.03;                     ///< c of the force -c v on each grain, kg/s; off before the sample is used
+  double time_step = 1e-5;                ///< dt_L of the preparation, s
+
+  double loose_void_ratio = 1.2;          ///< end of stage 1
+  double compaction_rate = 1.0;           ///< stage 1, of each axis, 1/s
+  double servo_rates[3] = {0.2, 0.1, 0.05};  ///< largest rates in stages 2, 3 and 4, 1/s
+  int servo_interval = 30;                ///< steps between two looks of the servo
+  double stress_tolerance = 1e-3;         ///< of sigma_0, for each stress at the end of a stage
+  double kinetic_tolerance = 1e-8;        ///< mean kinetic energy of a grain over p D^3 at rest
+  std::int64_t most_steps = 2'000'000;    ///< per stage; a stage that needs more is a failure
+
+  /// Text that is equal exactly when two recipes prepare the same sample; the key of the sample cache.
+  std::string text() const;
+};
+
+/// Throws std::invalid_argument: what is wrong, the value, what is allowed, how to mend it.
+void validate(const SampleRecipe& recipe);
+
+}  // namespace flowslide
