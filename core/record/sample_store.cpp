@@ -56,8 +56,8 @@ std::filesystem::path SampleStore::path(const std::string& key) const {
 
 std::optional<StoredSample> SampleStore::find(const std::string& key) const {
   const auto file_path = path(key);
-  std::error_code error;
-  if (!std::filesystem::exists(file_path, error) && !error) return std::nullopt;
+  std::error_code failure;
+  if (!std::filesystem::exists(file_path, failure) && !failure) return std::nullopt;
   const std::string image = read_sealed(file_path, mend);
   try {
     const auto file = hdf5::File::open(image, file_path.string());

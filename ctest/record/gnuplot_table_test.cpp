@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/gnuplot_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "damage.hpp"
+#include "example.hpp"
+#include "temporary_folder.hpp"
+
+namespace flowslide {
+namespace {
+
+TEST(GnuplotTable, EqualsTheResultFileBitForBit) {
+  const TemporaryFolder folder;
+  write_result(folder / "run.h5", example_result());
+  const auto result = read_result(folder / "run.h5");
+  write_table(folder / "run.dat", table_of(result));
+  const auto table = read_table(folder / "run.dat");
+  ASSERT_EQ(table.series.columns.size(), result.series.columns.size());
+  const auto expect_same = [](const Column& left, const Column& right) {
+    EXPECT_EQ(left.name, right.name);
+    EXPECT_EQ(left.symbol, right.symbol);
+    EXPECT_EQ(left.units, right.units);
+    EXPECT_EQ(left.long_name, right.long_name);
+    EXPECT_EQ(left.sign_convention, right.sign_convention);
+    ASSERT_EQ(left.values.size(), right.values.size());
+    EXPECT_EQ(std::memcmp(left.values.data(), right.values.data(), left.values.size() * sizeof(double)), 0);
+  };
+  expect_same(table.series.axis, result.series.axis);
+  for (std::size_t i = 0; i < table.series.columns.size(); ++i)
+    expect_same(table.series.columns[i], result.series.columns[i]);
+}
+
+TEST(GnuplotTable, SaysWhereItComesFrom) {
+  const TemporaryFolder folder;
+  const auto result = example_result();
+  write_table(folder / "run.dat", table_of(result));
+  const auto text = read_file(folder / "run.dat");
+  EXPECT_TRUE(text.starts_with("# case: fig03_undrained\n# point: e0=0.790\n")) << text.substr(0, 200);
+  EXPECT_NE(text.find("# configuration: abc123\n"), std::string::npos);
+  EXPECT_NE(text.find("# revision: " + result.provenance.git_revision), std::string::npos);
+  EXPECT_NE(text.find("# column 1: time | t | s | time | \n"), std::string::npos);
+  EXPECT_NE(text.find("# column 3: normal_stress | sigma | Pa | normal stress | compression positive\n"),
+            std::string::npos);
+  EXPECT_EQ(read_table(folder / "run.dat").header, table_of(result).header);
+}
+
+TEST(GnuplotTable, KeepsHeadersOnOneLine) {
+  const TemporaryFolder folder;
+  Table table{{{"case", "two\nlines"}}, example_series(2)};
+  table.series.columns[0].long_name = "a|b\nc";
+  write_table(folder / "run.dat", table);
+  const auto read = read_table(folder / "run.dat");
+  EXPECT_EQ(read.header.front().second, "two lines");
+  EXPECT_EQ(read.series.columns[0].long_name, "a b c");
+}
+
+TEST(GnuplotTable, WritesTheFewestDigits) {
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(-0.0), "-0");
+  EXPECT_EQ(shortest(1e-7), "1e-07");
+  EXPECT_EQ(shortest(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(shortest(28340.0), "28340");
+}
+
+TEST(GnuplotTable, RefusesNumbersThatAreNone) {
+  const TemporaryFolder folder;
+  Table table{{}, example_series()};
+  table.series.columns[0].values[0] = std::nan("");
+  EXPECT_THROW(write_table(folder / "run.dat", table), std::invalid_argument);
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(GnuplotTable, NamesTheLineOfADamage) {
+  const TemporaryFolder folder;
+  const std::string good = "# case: a\n# column 1: time | t | s | time | \n# column 2: x | x | m | x | \n0 1\n";
+  overwrite(folder / "run.dat", good);
+  EXPECT_EQ(read_table(folder / "run.dat").series.column("x").values, std::vector{1.0});
+  for (const char* bad : {"1\n", "1 2 3\n", "1 x\n", "1 nan\n", "1 2", "\n", "1 2x\n", "#\n"}) {
+    overwrite(folder / "run.dat", good + bad);
+    try {
+      read_table(folder / "run.dat");
+      ADD_FAILURE() << bad;
+    } catch (const CorruptFileError& error) {
+      EXPECT_NE(std::string(error.what()).find("run.dat:"), std::string::npos) << error.what();
+    }
+  }
+  overwrite(folder / "run.dat", "");
+  EXPECT_THROW(read_table(folder / "run.dat"), CorruptFileError);
+  EXPECT_THROW(read_table(folder / "none.dat"), FileError);
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/provenance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+namespace flowslide {
+namespace {
+
+const std::filesystem::path source = FLOWSLIDE_SOURCE_DIR;
+
+/// What a command prints, without its last line break.
+std::string output_of(const std::string& command) {
+  FILE* pipe = ::popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> buffer{};
+  while (const auto count = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), count);
+  ::pclose(pipe);
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+TEST(Provenance, KnowsTheBuild) {
+  const auto provenance = start_provenance({});
+  EXPECT_TRUE(std::regex_match(provenance.code_version, std::regex("[0-9]+\\.[0-9]+\\.[0-9]+")))
+      << provenance.code_version;
+  EXPECT_TRUE(std::regex_match(provenance.compiler, std::regex("[A-Za-z]+ [0-9.]+"))) << provenance.compiler;
+  EXPECT_NE(provenance.compiler_flags.find("-ffp-contract=off"), std::string::npos) << provenance.compiler_flags;
+}
+
+TEST(Provenance, KnowsTheRevisionInARepositoryAndOnlyThere) {
+  const auto provenance = start_provenance({});
+  if (std::filesystem::exists(source / ".git")) {
+    EXPECT_TRUE(std::regex_match(provenance.git_revision, std::regex("[0-9a-f]{40}"))) << provenance.git_revision;
+    EXPECT_TRUE(provenance.git_state == "clean" || provenance.git_state == "dirty") << provenance.git_state;
+  } else {
+    EXPECT_EQ(provenance.git_revision, "unknown");
+    EXPECT_EQ(provenance.git_state, "unknown");
+  }
+}
+
+TEST(Provenance, QuotesThePapersDoiAsCited) {
+  std::ifstream citation(source / "CITATION.cff");
+  const std::string text((std::istreambuf_iterator<char>(citation)), {});
+  const auto doi = start_provenance({}).paper_doi;
+  if (text.find("doi:") == std::string::npos) EXPECT_EQ(doi, "unknown");
+  else EXPECT_TRUE(doi.starts_with("10.") && text.find(doi) != std::string::npos) << doi;
+}
+
+TEST(Provenance, KnowsHostAndTime) {
+  const auto before = output_of("date -u +%Y-%m-%dT%H:%M:%SZ");
+  const auto provenance = start_provenance({});
+  const auto after = output_of("date -u +%Y-%m-%dT%H:%M:%SZ");
+  EXPECT_EQ(provenance.host, output_of("uname -n"));
+  EXPECT_LE(before, provenance.start_time);
+  EXPECT_LE(provenance.start_time, after);
+}
+
+TEST(ShellLine, IsWhatTheShellReadsBack) {
+  const std::array words{"printf", "%s\\n", "plain", "two words", "it's", "", "$HOME", "a\"b", "x;y", "5°"};
+  const auto line = shell_line(words);
+  EXPECT_EQ(line.find("'plain'"), std::string::npos) << line;
+  EXPECT_EQ(output_of(line), "plain\ntwo words\nit's\n\n$HOME\na\"b\nx;y\n5°");
+}
+
+/// The script that makes build_values.hpp, run on a source tree of our own.
+class BuildInformation : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(tree_);
+    std::filesystem::create_directories(tree_);
+  }
+  void TearDown() override { std::filesystem::remove_all(tree_); }
+  std::string run() const {
+    const auto script = (source / "core/record/build_information.cmake").string();
+    const auto tree = tree_.string();
+    output_of("cmake -D source=" + tree + " -D output=" + tree + "/../flowslide_values.hpp -D code_version=1.2.3 " +
+              "-D 'compiler_flags=-D \"x\"' -P " + script + " 2>&1");
+    return output_of("cat " + tree + "/../flowslide_values.hpp");
+  }
+  std::filesystem::path tree_ = std::filesystem::temp_directory_path() / "flowslide_build_information" / "tree";
+};
+
+TEST_F(BuildInformation, OfASourceArchiveIsUnknown) {
+  const auto text = run();
+  EXPECT_NE(text.find("git_revision = \"unknown\""), std::string::npos) << text;
+  EXPECT_NE(text.find("git_state = \"unknown\""), std::string::npos) << text;
+  EXPECT_NE(text.find("paper_doi = \"unknown\""), std::string::npos) << text;
+  EXPECT_NE(text.find("compiler_flags = \"-D \\\"x\\\"\""), std::string::npos) << text;
+}
+
+TEST_F(BuildInformation, TellsACleanTreeFromADirtyOne) {
+  const std::string git = "git -C " + tree_.string() + " -c user.name=a -c user.email=a@b ";
+  output_of("git init -q " + tree_.string());
+  std::ofstream(tree_ / "CITATION.cff") << "doi: 10.5281/software\nreferences:\n  - type: article\n"
+                                           "    doi: \"10.1002/nag.3638\"\n  - type: article\n    doi: 10.1/other\n";
+  output_of(git + "add -A && " + git + "commit -q -m first");
+  auto text = run();
+  EXPECT_NE(text.find(output_of(git + "rev-parse HEAD")), std::string::npos) << text;
+  EXPECT_NE(text.find("git_state = \"clean\""), std::string::npos) << text;
+  EXPECT_NE(text.find("paper_doi = \"10.1002/nag.3638\""), std::string::npos) << text;
+  std::ofstream(tree_ / "new.cpp") << "int x;\n";
+  text = run();
+  EXPECT_NE(text.find("git_state = \"dirty\""), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/sample_store.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+#include "damage.hpp"
+#include "example.hpp"
+#include "full_disk.hpp"
+#include "same_assembly.hpp"
+#include "temporary_folder.hpp"
+
+namespace flowslide {
+namespace {
+
+StoredSample example_sample() {
+  return {"mu_1 = 0.3\nseed = 7\n", example_assembly(), {{"void_ratio", 0.79, "1", "void ratio"}}};
+}
+
+TEST(SampleStore, GivesBackEveryBit) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder / "deep" / "samples");
+  EXPECT_FALSE(store.find("abc123"));
+  store.put("abc123", example_sample());
+  const auto found = store.find("abc123");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->recipe, example_sample().recipe);
+  expect_same_bits(found->assembly, example_sample().assembly);
+  ASSERT_EQ(found->metrics.size(), 1);
+  EXPECT_EQ(found->metrics[0].value, 0.79);
+  EXPECT_FALSE(store.find("abc124"));
+}
+
+TEST(SampleStore, NeverUsesADamagedSample) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  store.put("abc123", example_sample());
+  expect_damage_found(store.path("abc123"), [&] { store.find("abc123"); });
+  auto bytes = read_file(store.path("abc123"));
+  overwrite(store.path("abc123"), bytes.substr(0, 1000));
+  try {
+    store.find_or_prepare("abc123", [] { return example_sample(); });
+    FAIL();
+  } catch (const CorruptFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("delete it"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SampleStore, NeverUsesTheSampleOfAnotherKey) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  store.put("abc123", example_sample());
+  std::filesystem::rename(store.path("abc123"), store.path("abc124"));
+  EXPECT_THROW(store.find("abc124"), CorruptFileError);
+}
+
+TEST(SampleStore, LeavesNothingAfterAnError) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  {
+    const FullDisk full(2000);
+    EXPECT_THROW(store.put("abc123", example_sample()), FileError);
+  }
+  auto sample = example_sample();
+  sample.assembly.contacts[2].tangential_spring.y() = std::nan("");
+  EXPECT_THROW(store.put("abc123", sample), std::invalid_argument);
+  EXPECT_EQ(folder.entries(), 0);
+  write_atomically(folder / "file", "x");
+  EXPECT_THROW(SampleStore(folder / "file" / "samples"), FileError);
+}
+
+TEST(SampleStore, TakesOnlyPlainKeys) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  for (const char* key : {"", "../abc", "a/b", "a.b", "a b"}) {
+    EXPECT_THROW(store.find(key), std::invalid_argument) << key;
+    EXPECT_THROW(store.put(key, example_sample()), std::invalid_argument) << key;
+  }
+}
+
+TEST(SampleStore, KeepsNothingWhenPreparationFails) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  const auto fail = []() -> StoredSample { throw std::runtime_error("unreachable void ratio"); };
+  EXPECT_THROW(store.find_or_prepare("abc123", fail), std::runtime_error);
+  EXPECT_FALSE(store.find("abc123"));
+  EXPECT_EQ(store.find_or_prepare("abc123", example_sample).recipe, example_sample().recipe);
+}
+
+TEST(SampleStore, TwoProcessesPrepareASampleOnce) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder / "samples");
+  const auto prepare = [&] {
+    std::ofstream(folder / "prepared", std::ios::app) << 'x';
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return example_sample();
+  };
+  std::vector<pid_t> children;
+  for (int i = 0; i < 4; ++i) {
+    children.push_back(::fork());
+    ASSERT_GE(children.back(), 0);
+    if (children.back() == 0) {
+      const auto sample = store.find_or_prepare("abc123", prepare);
+      ::_exit(sample.assembly.size() == example_sample().assembly.size() ? 0 : 1);
+    }
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(read_file(folder / "prepared"), "x");
+}
+
+}  // namespace
+}  // namespace flowslide
