@@ -87,8 +87,7 @@ Verdict judge(const Claim& claim, const std::map<std::string, double>& metrics) 
     return verdict;
   }
   verdict.met = holds(claim, verdict.measured);
-  verdict.reason =
-      fmt::format("{:.4g} is {}{}", verdict.measured, verdict.met ? "" : "not ", claim.expectation());
+  verdict.reason = fmt::format("{:.4g} is {}{}", verdict.measured, verdict.met ? "" : "not ", claim.expectation());
   return verdict;
 }
 

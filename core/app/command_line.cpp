@@ -54,31 +54,47 @@ struct Raw {
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
   const std::string group = "What to run";
   app.add_option("--config", raw.configuration_file, "TOML file laid over the case's own case.toml")
-      ->type_name("FILE")->group(group);
-  app.add_option("--set", raw.settings, "One value of the configuration, such as sample.confining_stress=\"3 kPa\"; "
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--set", raw.settings,
+                 "One value of the configuration, such as sample.confining_stress=\"3 kPa\"; "
                  "may be repeated")
-      ->type_name("KEY=VALUE")->expected(1)->allow_extra_args(false)
-      ->check(CLI::Validator(key_and_value, ""))->group(group);
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(key_and_value, ""))
+      ->group(group);
   app.add_option("--scale", command_line.scale, "Size of the run: quick (default) or paper")
-      ->type_name("SCALE")->check(CLI::Validator(one_of(scale_names), ""))->group(group);
-  app.add_option("--engine", raw.engine, fmt::format("Engine that moves the grains: {}; default: the key `engine`",
-                                                     fmt::join(description.engines, ", ")))
-      ->type_name("NAME")->check(CLI::Validator(one_of(description.engines), ""))->group(group);
+      ->type_name("SCALE")
+      ->check(CLI::Validator(one_of(scale_names), ""))
+      ->group(group);
+  app.add_option("--engine", raw.engine,
+                 fmt::format("Engine that moves the grains: {}; default: the key `engine`",
+                             fmt::join(description.engines, ", ")))
+      ->type_name("NAME")
+      ->check(CLI::Validator(one_of(description.engines), ""))
+      ->group(group);
   app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
-      ->type_name("N")->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
       ->group(group);
   app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
-      ->type_name("N")->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))->group(group);
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))
+      ->group(group);
   app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
-      ->type_name("NAME")->expected(1)->allow_extra_args(false)->group(group);
-  app.add_option("--output", raw.output, fmt::format("Folder of the results; default: results/{}/SCALE",
-                                                     description.name))
-      ->type_name("DIR")->group(group);
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_option("--output", raw.output,
+                 fmt::format("Folder of the results; default: results/{}/SCALE", description.name))
+      ->type_name("DIR")
+      ->group(group);
 }
 
 void add_other_options(CLI::App& app, CommandLine& command_line) {
   const std::string group = "Instead of a run";
-  auto* dry_run = app.add_flag("--dry-run", command_line.dry_run, "Print the resolved configuration, what the engine "
+  auto* dry_run = app.add_flag("--dry-run", command_line.dry_run,
+                               "Print the resolved configuration, what the engine "
                                "would be told, the steps and the predicted time; write nothing");
   auto* list = app.add_flag("--list", command_line.list, "Print the points with their predicted time");
   auto* check = app.add_flag("--check", command_line.check, "Evaluate the claims on the results in --output");
@@ -133,8 +149,7 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   };
   number("seed", raw.seed, command_line.seed);
   number("replicates", raw.replicates, command_line.replicates);
-  if (given("--output") && raw.output.empty())
-    throw ConfigurationError("--output: the path is empty; name a folder");
+  if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;
   if (command_line.json && !command_line.list && !command_line.check)
@@ -150,7 +165,8 @@ CommandLine parse(int argc, const char* const* argv, const CaseDescription& desc
                description.name);
   app.set_help_flag("--help,-h", "Print this help and end")->group("About");
   app.set_version_flag("--version", fmt::format("{} {}", description.name, description.version),
-                       "Print the version and end")->group("About");
+                       "Print the version and end")
+      ->group("About");
   app.footer(footer(description.name));
   add_run_options(app, raw, command_line, description);
   add_other_options(app, command_line);

@@ -16,13 +16,13 @@ Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.st
   std::vector<std::string> scales;
   lay_over(layers.case_file, layers.scale, scales);
   if (!layers.scale.empty() && std::find(scales.begin(), scales.end(), layers.scale) == scales.end()) {
-    throw ConfigurationError(fmt::format("{}: there is no scale \"{}\" (there is {}); add a table [scale.{}] or choose "
-                                         "another --scale",
-                                         origin_, layers.scale, list_of(scales), layers.scale));
+    throw ConfigurationError(
+        fmt::format("{}: there is no scale \"{}\" (there is {}); add a table [scale.{}] or choose "
+                    "another --scale",
+                    origin_, layers.scale, list_of(scales), layers.scale));
   }
   if (layers.user_file) lay_over(*layers.user_file, layers.scale, scales);
-  for (const Override& item : layers.overrides)
-    overlay(entries_, read_option(item.key, item.value, item.option));
+  for (const Override& item : layers.overrides) overlay(entries_, read_option(item.key, item.value, item.option));
 }
 
 Configuration Configuration::from_text(std::string_view toml, std::string origin) {
@@ -74,9 +74,10 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
   const std::string similar = nearest(key, unread);
   if (!similar.empty() && edit_distance(key, similar) <= 3)
     hint = fmt::format(" (is \"{}\" at {} a misspelling of it?)", similar, find(similar)->key_place.text());
-  throw ConfigurationError(fmt::format("{}: the key \"{}\" is missing: {} is needed; add it there or with --set "
-                                       "{}=VALUE{}",
-                                       origin_, key, wanted, key, hint));
+  throw ConfigurationError(
+      fmt::format("{}: the key \"{}\" is missing: {} is needed; add it there or with --set "
+                  "{}=VALUE{}",
+                  origin_, key, wanted, key, hint));
 }
 
 bool Configuration::has(std::string_view key) const {
@@ -146,10 +147,19 @@ bool Configuration::is_known_elsewhere(const std::string& key) const {
 }
 
 std::string Configuration::unknown_message(const Entry& entry) const {
-  std::vector<std::string> candidates(known_.begin(), known_.end());
-  candidates.insert(candidates.end(), accepted_.begin(), accepted_.end());
-  const std::string similar = nearest(entry.key, candidates);
-  const std::string_view kind = entry.kind == Entry::Kind::table ? "table" : "key";
+  const bool is_table = entry.kind == Entry::Kind::table;
+  std::set<std::string> keys(known_.begin(), known_.end());
+  keys.insert(accepted_.begin(), accepted_.end());
+  std::set<std::string> tables(listed_.begin(), listed_.end());
+  for (const std::string& key : keys)
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+      tables.insert(key.substr(0, dot));
+  for (const std::string& key : known_)
+    if (const Entry* found = find(key); found != nullptr && found->kind == Entry::Kind::table) tables.insert(key);
+  for (const std::string& table : tables) keys.erase(table);
+  const std::set<std::string>& candidates = is_table && !tables.empty() ? tables : keys;
+  const std::string similar = nearest(entry.key, {candidates.begin(), candidates.end()});
+  const std::string_view kind = is_table ? "table" : "key";
   const std::string hint = similar.empty() ? "no key is known here" : fmt::format("did you mean \"{}\"?", similar);
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), kind, entry.key, hint);
 }
@@ -178,8 +188,8 @@ std::string Configuration::resolved() const {
     const std::string& key = *key_at;
     const Entry* entry = find(key);
     if (entry == nullptr || entry->kind != Entry::Kind::table) continue;
-    const bool shown = std::any_of(lines.begin(), lines.end(),
-                                   [&](const auto& line) { return stands_below(line.first, key); });
+    const bool shown =
+        std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return stands_below(line.first, key); });
     if (!shown) lines[key] = "{}";
   }
   std::string text;

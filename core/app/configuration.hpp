@@ -38,7 +38,8 @@ struct Layers {
 /// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml.
 ///
 /// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the
-/// positions, from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too) as a whole.
+/// positions, from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too)
+/// as a whole.
 /// Keys are bare: letters, digits, "_" and "-". The table `scale` at the top is reserved.
 /// Getters mark the key as known, also when they throw. Not for use by several threads at once.
 class Configuration {
@@ -101,9 +102,9 @@ class Configuration {
   std::string with_wildcards(std::string_view key) const;
   std::string unknown_message(const Entry& entry) const;
 
-  std::string origin_;             ///< the first file
-  std::vector<Entry> entries_;     ///< in file order, parents before children
-  std::vector<Entry> unselected_;  ///< of scales that were not chosen: checked for spelling only
+  std::string origin_;                                   ///< the first file
+  std::vector<Entry> entries_;                           ///< in file order, parents before children
+  std::vector<Entry> unselected_;                        ///< of scales that were not chosen: checked for spelling only
   mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
   mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them
   mutable std::set<std::string, std::less<>> listed_;    ///< tables asked for by subtables()

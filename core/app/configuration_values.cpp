@@ -30,8 +30,8 @@ std::string canonical_list(const std::vector<T>& values, const Dimension& dimens
 const Entry& Configuration::require_value(std::string_view key, std::string_view wanted) const {
   const Entry& entry = require(key, wanted);
   if (entry.kind == Entry::Kind::table) {
-    throw ConfigurationError(fmt::format("{}: {} is a table, but one value is needed: {}", entry.key_place.text(), key,
-                                         wanted));
+    throw ConfigurationError(
+        fmt::format("{}: {} is a table, but one value is needed: {}", entry.key_place.text(), key, wanted));
   }
   if (entry.kind == Entry::Kind::list)
     refuse_value(key, entry.whole, "is a list, but one value is needed", fmt::format("give {}", wanted));

@@ -21,8 +21,8 @@ bool is_bare(std::string_view key) {
 }
 
 [[noreturn]] void refuse_key(const Place& place, std::string_view key) {
-  throw ConfigurationError(fmt::format("{}: the key \"{}\" is not bare: use letters, digits, \"_\" and \"-\" only",
-                                       place.text(), key));
+  throw ConfigurationError(
+      fmt::format("{}: the key \"{}\" is not bare: use letters, digits, \"_\" and \"-\" only", place.text(), key));
 }
 
 /// What stands between two positions of a text, of which columns count code points; the first line of it only.

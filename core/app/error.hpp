@@ -10,12 +10,12 @@ namespace flowslide {
 
 /// What a program returns to the shell. These numbers are part of the interface: scripts and schedulers read them.
 enum class ExitCode : int {
-  ok = 0,                  ///< all that was asked for is done
-  configuration = 2,       ///< bad option, bad configuration file, or an output that cannot be written; nothing was run
-  numerical_failure = 3,   ///< the run was stopped with a diagnosis: no result of it may be used
-  claim_not_met = 4,       ///< the run is good, but a claim of the paper does not hold in it
-  resumable = 75,          ///< stopped in time; a later call goes on from the checkpoint
-  interrupted = 130        ///< ended by the user
+  ok = 0,                 ///< all that was asked for is done
+  configuration = 2,      ///< bad option, bad configuration file, or an output that cannot be written; nothing was run
+  numerical_failure = 3,  ///< the run was stopped with a diagnosis: no result of it may be used
+  claim_not_met = 4,      ///< the run is good, but a claim of the paper does not hold in it
+  resumable = 75,         ///< stopped in time; a later call goes on from the checkpoint
+  interrupted = 130       ///< ended by the user
 };
 
 /// The number that `main` returns.

@@ -30,8 +30,7 @@ constexpr const char* case_file = "case";
 /// A file being written aside; it is removed again unless it was kept.
 class FileAside {
  public:
-  explicit FileAside(const fs::path& file)
-      : target_(file), path_(file.string() + fmt::format(".{}.part", ::getpid())) {
+  explicit FileAside(const fs::path& file) : target_(file), path_(file.string() + fmt::format(".{}.part", ::getpid())) {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (descriptor_ < 0) fail_to_write(target_, errno);
   }
@@ -118,8 +117,8 @@ void check_foreign_files(const fs::path& path) {
   if (failure) refuse(path, fmt::format("cannot be read: {}", failure.message()));
   for (const fs::directory_entry& entry : entries) {
     if (entry.path().filename() == mark_folder) continue;
-    refuse(path, fmt::format("holds files that this program did not write, such as {}",
-                             entry.path().filename().string()));
+    refuse(path,
+           fmt::format("holds files that this program did not write, such as {}", entry.path().filename().string()));
   }
 }
 

@@ -44,8 +44,10 @@ std::string duration_text(double seconds) {
 
 std::string count_text(double count) {
   if (count < 999.5) return fmt::format("{:.3g}", count);
-  if (count < 999.5e3) return fmt::format("{:#.3g}k", count / 1e3);
-  return fmt::format("{:#.3g}M", count / 1e6);
+  const bool thousands = count < 999.5e3;
+  const double scaled = count / (thousands ? 1e3 : 1e6);
+  const int decimals = scaled < 9.995 ? 2 : scaled < 99.95 ? 1 : 0;
+  return fmt::format("{:.{}f}{}", scaled, decimals, thousands ? "k" : "M");
 }
 
 ProgressStyle ProgressStyle::of_stderr(int rank, bool silent) {

@@ -13,13 +13,13 @@ namespace flowslide {
 
 /// Where and how progress is shown.
 struct ProgressStyle {
-  bool silent = false;                         ///< nothing at all is written
-  int rank = 0;                                ///< MPI rank; any but 0 is silent
-  bool terminal = false;                       ///< one rewritten line; else a line every `line_interval`
-  int columns = 80;                            ///< width of the terminal
+  bool silent = false;    ///< nothing at all is written
+  int rank = 0;           ///< MPI rank; any but 0 is silent
+  bool terminal = false;  ///< one rewritten line; else a line every `line_interval`
+  int columns = 80;       ///< width of the terminal
   std::chrono::milliseconds rewrite_interval{200};
   std::chrono::seconds line_interval{30};
-  std::ostream* stream = nullptr;              ///< nullptr: stderr
+  std::ostream* stream = nullptr;  ///< nullptr: stderr
   std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
 
   /// The style that suits stderr as it is now.

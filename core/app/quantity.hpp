@@ -58,7 +58,8 @@ struct Quantity {
 
 /// Reads a number and its unit, if any: "3 kPa", "3kPa", "2650 kg/m^3", "1e3 kPa/min", "0.06 1/s", "25 %", "5e-7".
 /// Units are products of known symbols (kg g t, m cm mm um km, s ms us ns min h, Pa kPa MPa GPa, N mN kN, J, Hz,
-/// deg rad, %) joined by "*", a blank or "/" (which divides by the next symbol only), each with an integer exponent "^-2".
+/// deg rad, %) joined by "*", a blank or "/" (which divides by the next symbol only), each with an integer exponent
+/// such as "^-2".
 /// Rounds at most twice, so that "7.5 mm" and 0.0075 are the same number.
 /// Throws std::invalid_argument: the text, what is wrong with it, and the nearest known unit.
 Quantity parse_quantity(std::string_view text);

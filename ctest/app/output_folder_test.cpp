@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/output_folder.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/error.hpp"
+#include "messages.hpp"
+
+namespace flowslide {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string complaint(const fs::path& path, const std::string& case_name = "fig03") {
+  return message_of<ConfigurationError>([&] { OutputFolder::open(path, case_name); });
+}
+
+std::size_t count_of(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(OutputFolder, IsCreatedWithItsParentsAndMarked) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path() / "a" / "b", "fig03");
+  EXPECT_EQ(content_of(scratch.path() / "a" / "b" / ".flowslide" / "case"), "fig03\n");
+  EXPECT_EQ(folder.file("x.h5"), scratch.path() / "a" / "b" / "x.h5");
+}
+
+TEST(OutputFolder, IsOpenedAgainWithItsFiles) {
+  const ScratchFolder scratch;
+  OutputFolder::open(scratch.path(), "fig03");
+  scratch.write("loose.h5", "data");
+  EXPECT_NO_THROW(OutputFolder::open(scratch.path(), "fig03"));
+  EXPECT_EQ(content_of(scratch.path() / "loose.h5"), "data");
+}
+
+TEST(OutputFolder, RefusesFilesOfOthers) {
+  const ScratchFolder scratch;
+  scratch.write("thesis.tex", "years of work");
+  EXPECT_EQ(complaint(scratch.path()), "the output folder " + scratch.path().string() +
+                                           " holds files that this program did not write, such as thesis.tex; choose "
+                                           "another with --output");
+  EXPECT_EQ(count_of(scratch.path()), 1U);
+}
+
+TEST(OutputFolder, RefusesTheFolderOfAnotherCase) {
+  const ScratchFolder scratch;
+  OutputFolder::open(scratch.path(), "fig03");
+  EXPECT_CONTAINS(complaint(scratch.path(), "fig08"), "holds results of the case \"fig03\", not of \"fig08\"");
+  EXPECT_EQ(content_of(scratch.path() / ".flowslide" / "case"), "fig03\n");
+}
+
+TEST(OutputFolder, RefusesAFileAndAPathBelowAFile) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.write("file", "text");
+  EXPECT_CONTAINS(complaint(file), "is a file, not a folder");
+  EXPECT_CONTAINS(complaint(file / "below"), "choose another with --output");
+  EXPECT_EQ(content_of(file), "text");
+}
+
+TEST(OutputFolder, RefusesWhatCannotBeWritten) {
+  EXPECT_CONTAINS(complaint("/proc/flowslide"), "the output folder /proc/flowslide cannot be written");
+  EXPECT_CONTAINS(complaint("/proc"), "choose another with --output");
+}
+
+TEST(OutputFolder, IsOnlyReadForCheck) {
+  const ScratchFolder scratch;
+  const auto message = [&](const fs::path& path, const std::string& name) {
+    return message_of<ConfigurationError>([&] { OutputFolder::open_existing(path, name); });
+  };
+  EXPECT_CONTAINS(message(scratch.path() / "none", "fig03"), "is not there: run the case first");
+  EXPECT_FALSE(fs::exists(scratch.path() / "none"));
+  EXPECT_CONTAINS(message(scratch.path(), "fig03"), "holds no results of the case \"fig03\"");
+  EXPECT_EQ(count_of(scratch.path()), 0U);
+  OutputFolder::open(scratch.path(), "fig03");
+  EXPECT_NO_THROW(OutputFolder::open_existing(scratch.path(), "fig03"));
+  EXPECT_CONTAINS(message(scratch.path(), "fig08"), "holds results of the case \"fig03\"");
+}
+
+TEST(OutputFolder, RefusesAPointOfAnotherConfiguration) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path(), "fig03");
+  EXPECT_EQ(folder.hash_of("loose"), "");
+  folder.begin_point("loose", "abc");
+  EXPECT_NO_THROW(folder.begin_point("loose", "abc"));
+  EXPECT_NO_THROW(folder.begin_point("dense", "def"));
+  EXPECT_EQ(folder.hash_of("loose"), "abc");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { folder.begin_point("loose", "xyz"); }),
+                  "holds the point \"loose\" of another configuration (hash abc, now xyz)");
+  EXPECT_EQ(OutputFolder::open(scratch.path(), "fig03").hash_of("loose"), "abc");
+}
+
+TEST(OutputFolder, RefusesPointNamesThatLeaveTheFolder) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path() / "a", "fig03");
+  for (const std::string name : {"", "../../x", "a/b", "a b"})
+    EXPECT_THROW(folder.begin_point(name, "abc"), std::invalid_argument) << name;
+  EXPECT_FALSE(fs::exists(scratch.path() / "x.hash"));
+}
+
+TEST(WriteAtomically, ReplacesAFileAndLeavesNothingBeside) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path() / "a.txt";
+  write_atomically(file, "one");
+  write_atomically(file, std::string(1'000'000, 'x'));
+  EXPECT_EQ(content_of(file).size(), 1'000'000U);
+  EXPECT_EQ(count_of(scratch.path()), 1U);
+}
+
+TEST(WriteAtomically, RefusesToOverwriteWhenTold) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path() / "a.txt";
+  write_atomically(file, "one", Overwrite::refuse);
+  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(file, "two", Overwrite::refuse); }),
+                  "a.txt: is there already and is not overwritten");
+  EXPECT_EQ(content_of(file), "one");
+  EXPECT_EQ(count_of(scratch.path()), 1U);
+}
+
+TEST(WriteAtomically, NamesPathAndCauseOfAFailure) {
+  const ScratchFolder scratch;
+  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(scratch.path() / "none" / "a", "x"); }),
+                  "none/a: cannot be written: No such file or directory");
+  fs::create_directory(scratch.path() / "folder");
+  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(scratch.path() / "folder", "x"); }),
+                  "folder: cannot be written: ");
+  EXPECT_EQ(count_of(scratch.path()), 1U);
+}
+
+TEST(WriteAtomically, LeavesTheOldFileWhenTheDiskIsFull) {
+  EXPECT_CONTAINS(message_of<OutputError>([] { write_atomically("/dev/full/a", "x"); }), "/dev/full/a");
+}
+
+}  // namespace
+}  // namespace flowslide
