@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,8 +36,7 @@ class MpiSession {
   bool owner_ = false;
 };
 
-/// Instances that no engine uses. Each new one registers the contact models of the library again and complains of
-/// the first ones in hundreds of lines, so they are kept and cleared.
+/// Instances that no engine uses, kept to be cleared and used again.
 std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
   static std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>> instances;
   return instances;
@@ -46,7 +46,12 @@ LAMMPS_NS::LAMMPS* start() {
   std::array<std::string, 5> words{"flowslide", "-log", "none", "-screen", "none"};
   std::array<char*, 5> arguments;
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  return new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD);
+  // Each instance after the first registers the contact models again and complains of it in hundreds of lines.
+  const auto state = std::cerr.rdstate();
+  std::cerr.setstate(std::ios::failbit);
+  auto* instance = new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD);
+  std::cerr.clear(state);
+  return instance;
 }
 
 }  // namespace

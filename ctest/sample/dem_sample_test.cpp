@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "sample/dem_sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dem/make_engine.hpp"
+#include "grains/measures.hpp"
+#include "support/touching_lattice.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr double step = 2e-6;
+
+class DemSampleTest : public testing::Test {
+ protected:
+  std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "dem_sample.log");
+  EngineSettings settings_{Material{}, step, 0.0};
+};
+
+TEST_F(DemSampleTest, ClocksCountStepsAndStrain) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  sample.strain({2.0, 0.0}, 100);
+  sample.strain({-1.0, 0.0}, 50);
+  EXPECT_EQ(sample.steps(), 150);
+  EXPECT_NEAR(sample.time(), 150 * step, 1e-18);
+  EXPECT_NEAR(sample.shear_strain(), (2.0 * 100 - 50) * step, 1e-18);
+}
+
+TEST_F(DemSampleTest, VolumetricStrainChangesTheVoidRatioByItself) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  const double before = sample.void_ratio();
+  sample.strain({0.0, 5.0}, 100);
+  EXPECT_NEAR((1.0 + sample.void_ratio()) / (1.0 + before), 1.0 - 5.0 * 100 * step, 1e-12);
+  EXPECT_NEAR(sample.void_ratio(), void_ratio(sample.assembly()), 1e-12);
+}
+
+TEST_F(DemSampleTest, ShearingDownslopeIsResistedByPositiveShearStress) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  EXPECT_GT(sample.strain({5.0, 0.0}, 500).shear, 0.0);
+  DemSample other(*engine_, touching_lattice(), settings_);
+  EXPECT_LT(other.strain({-5.0, 0.0}, 500).shear, 0.0);
+}
+
+TEST_F(DemSampleTest, ALinearVelocityFieldReachesFromTheBottomToTheTop) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  const Assembly before = sample.assembly();
+  sample.start_linear_velocity_field(3.0);
+  const Assembly after = sample.assembly();
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const double expected = after.role[i] == Role::mobile ? 3.0 * after.position[i].z() : 0.0;
+    EXPECT_NEAR(after.velocity[i].x() - before.velocity[i].x(), expected, 1e-12);
+    EXPECT_EQ(after.velocity[i].z(), before.velocity[i].z());
+  }
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "sample/preparation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "dem/make_engine.hpp"
+#include "sample/dem_sample.hpp"
+#include "sample/failure.hpp"
+
+namespace flowslide {
+namespace {
+
+SampleRecipe small_recipe() {
+  SampleRecipe recipe;
+  recipe.packing.counts = {5, 5, 6};
+  recipe.compaction_rate = 2.0;
+  recipe.stress_tolerance = 5e-3;
+  return recipe;
+}
+
+TEST(Preparation, ReachesItsTargetsAndHoldsThemAtRest) {
+  const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
+  const SampleRecipe recipe = small_recipe();
+  std::vector<int> stages;
+  const PreparedSample sample = prepare_sample(*engine, recipe, [&](const PreparationProgress& progress) {
+    if (stages.empty() || stages.back() != progress.stage) stages.push_back(progress.stage);
+  });
+  EXPECT_EQ(stages, (std::vector<int>{1, 2, 3, 4, 5}));
+  const double tolerance = 4.0 * recipe.stress_tolerance * recipe.normal_stress;  // what rest() allows
+  EXPECT_NEAR(sample.stress.normal, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.lateral_x, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.lateral_y, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.shear, recipe.shear_stress, tolerance);
+  EXPECT_LT(sample.kinetic_number, recipe.kinetic_tolerance);
+  // Random packings of frictional spheres lie between 0.56 and 1; the walls of a small cell add some voids.
+  EXPECT_GT(sample.void_ratio, 0.6);
+  EXPECT_LT(sample.void_ratio, 1.0);
+  EXPECT_TRUE(sample.assembly.cell.periodic[0] && sample.assembly.cell.periodic[1] &&
+              !sample.assembly.cell.periodic[2]);
+  for (const Role layer : {Role::bottom_layer, Role::top_layer}) {
+    const auto glued = std::count(sample.assembly.role.begin(), sample.assembly.role.end(), layer);
+    EXPECT_GT(glued, 10);  // of 25 sites
+    EXPECT_LT(glued, 40);
+  }
+  EXPECT_EQ(sample.assembly.size(), 150u);
+
+  DemSample loaded(*engine, sample.assembly, engine->settings());
+  EXPECT_NEAR(loaded.strain({0.0, 0.0}, 500).normal, sample.stress.normal, 1e-3 * sample.stress.normal);
+}
+
+TEST(Preparation, SaysWhichStageFailed) {
+  const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
+  SampleRecipe recipe = small_recipe();
+  recipe.most_steps = 60;
+  try {
+    prepare_sample(*engine, recipe);
+    FAIL() << "60 steps were enough";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("stage 1"), std::string::npos) << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace flowslide
