@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <limits>
 
 #include "app/error.hpp"
 #include "app/nearest.hpp"
@@ -32,6 +34,17 @@ auto one_of(const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), text) != names.end()) return "";
     return fmt::format("\"{}\" is not there; it must be {}; did you mean \"{}\"?", text, list_of(names),
                        nearest(text, names));
+  };
+}
+
+/// A check that refuses any text but an integer of at least `least` that fits 64 bits.
+auto integer_from(std::int64_t least) {
+  return [least](const std::string& text) -> std::string {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size() && value >= least) return "";
+    return fmt::format("\"{}\" is not allowed; it must be an integer from {} to {}", text, least,
+                       std::numeric_limits<std::int64_t>::max());
   };
 }
 
@@ -75,11 +88,11 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->group(group);
   app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->check(CLI::Validator(integer_from(0), ""))
       ->group(group);
   app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))
+      ->check(CLI::Validator(integer_from(1), ""))
       ->group(group);
   app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
       ->type_name("NAME")
@@ -93,16 +106,13 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
 
 void add_other_options(CLI::App& app, CommandLine& command_line) {
   const std::string group = "Instead of a run";
-  auto* dry_run = app.add_flag("--dry-run", command_line.dry_run,
-                               "Print the resolved configuration, what the engine "
-                               "would be told, the steps and the predicted time; write nothing");
-  auto* list = app.add_flag("--list", command_line.list, "Print the points with their predicted time");
-  auto* check = app.add_flag("--check", command_line.check, "Evaluate the claims on the results in --output");
-  app.add_flag("--json", command_line.json, "Machine-readable output of --list or --check");
-  dry_run->excludes(list)->excludes(check)->group(group);
-  list->excludes(check)->group(group);
-  check->group(group);
-  app.get_option("--json")->group(group);
+  app.add_flag("--dry-run", command_line.dry_run,
+               "Print the resolved configuration, what the engine would be told, the steps and the predicted time; "
+               "write nothing")
+      ->group(group);
+  app.add_flag("--list", command_line.list, "Print the points with their predicted time")->group(group);
+  app.add_flag("--check", command_line.check, "Evaluate the claims on the results in --output")->group(group);
+  app.add_flag("--json", command_line.json, "Machine-readable output of --list or --check")->group(group);
 }
 
 std::string footer(const std::string& name) {
@@ -152,6 +162,12 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;
+  if (command_line.dry_run + command_line.list + command_line.check > 1) {
+    throw ConfigurationError(
+        fmt::format("--dry-run, --list and --check exclude each other: give one of them; see {} "
+                    "--help",
+                    description.name));
+  }
   if (command_line.json && !command_line.list && !command_line.check)
     throw ConfigurationError(fmt::format("--json needs --list or --check; see {} --help", description.name));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/command_line.hpp"
 
+#include <limits>
+
 #include "app/error.hpp"
 #include "messages.hpp"
 
@@ -81,7 +83,9 @@ TEST(CommandLine, RefusesBadValues) {
   EXPECT_CONTAINS(complaint({"--set", "novalue"}), "\"novalue\" is not KEY=VALUE");
   EXPECT_CONTAINS(complaint({"--set", "=3"}), "\"=3\" is not KEY=VALUE");
   EXPECT_CONTAINS(complaint({"--seed", "-1"}), "--seed");
-  EXPECT_CONTAINS(complaint({"--seed", "x"}), "--seed");
+  EXPECT_CONTAINS(complaint({"--seed", "x"}), "--seed: \"x\" is not allowed; it must be an integer from 0 to ");
+  EXPECT_CONTAINS(complaint({"--seed", "99999999999999999999"}), "--seed");
+  EXPECT_EQ(read({"--seed", "9223372036854775807"}).seed, std::numeric_limits<std::int64_t>::max());
   EXPECT_CONTAINS(complaint({"--replicates", "0"}), "--replicates");
   EXPECT_CONTAINS(complaint({"--replicates", "1.5"}), "--replicates");
   EXPECT_CONTAINS(complaint({"--output", ""}), "--output");
