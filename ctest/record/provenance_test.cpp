@@ -7,7 +7,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
+#include <string>
+
+#include "temporary_folder.hpp"
 
 namespace flowslide {
 namespace {
@@ -73,19 +77,17 @@ TEST(ShellLine, IsWhatTheShellReadsBack) {
 /// The script that makes build_values.hpp, run on a source tree of our own.
 class BuildInformation : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(tree_);
-    std::filesystem::create_directories(tree_);
-  }
-  void TearDown() override { std::filesystem::remove_all(tree_); }
   std::string run() const {
     const auto script = (source / "core/record/build_information.cmake").string();
-    const auto tree = tree_.string();
-    output_of("cmake -D source=" + tree + " -D output=" + tree + "/../flowslide_values.hpp -D code_version=1.2.3 " +
+    const auto values = (folder_ / "values.hpp").string();
+    output_of("cmake -D source=" + tree_.string() + " -D output=" + values + " -D code_version=1.2.3 " +
               "-D 'compiler_flags=-D \"x\"' -P " + script + " 2>&1");
-    return output_of("cat " + tree + "/../flowslide_values.hpp");
+    return output_of("cat " + values);
   }
-  std::filesystem::path tree_ = std::filesystem::temp_directory_path() / "flowslide_build_information" / "tree";
+  void SetUp() override { std::filesystem::create_directory(tree_); }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path tree_ = folder_ / "tree";
 };
 
 TEST_F(BuildInformation, OfASourceArchiveIsUnknown) {
