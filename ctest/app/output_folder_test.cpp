@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/output_folder.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <csignal>
 #include <stdexcept>
 
 #include "app/error.hpp"
@@ -128,8 +131,20 @@ TEST(WriteAtomically, NamesPathAndCauseOfAFailure) {
   EXPECT_EQ(count_of(scratch.path()), 1U);
 }
 
-TEST(WriteAtomically, LeavesTheOldFileWhenTheDiskIsFull) {
-  EXPECT_CONTAINS(message_of<OutputError>([] { write_atomically("/dev/full/a", "x"); }), "/dev/full/a");
+TEST(WriteAtomically, LeavesTheOldFileWhenThereIsNoRoom) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.write("a.txt", "old");
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // so that a write beyond the limit fails instead
+  const rlimit narrow{1000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &narrow), 0);
+  const std::string message = message_of<OutputError>([&] { write_atomically(file, std::string(100'000, 'x')); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_CONTAINS(message, "a.txt: cannot be written: File too large");
+  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(count_of(scratch.path()), 1U);
 }
 
 }  // namespace
