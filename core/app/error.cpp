@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "record/atomic_file.hpp"
+
 namespace flowslide {
 namespace {
 
@@ -29,7 +31,7 @@ int run_main(const std::function<int()>& body, int rank) noexcept {
     return to_int(ExitCode::ok);
   } catch (const ConfigurationError& error) {
     return end_with(ExitCode::configuration, error.what(), rank);
-  } catch (const OutputError& error) {
+  } catch (const FileError& error) {
     return end_with(ExitCode::configuration, error.what(), rank);
   } catch (const std::filesystem::filesystem_error& error) {
     return end_with(ExitCode::configuration, error.what(), rank);

@@ -27,18 +27,6 @@ class ConfigurationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file or a folder cannot be written or read. The message names it and says why.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The simulation left the range in which its numbers mean anything. The message is the diagnosis.
-class NumericalError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Not a failure: all that was asked for is a text (help, version). `run_main` prints it to stdout and returns 0.
 class FinishedEarly : public std::exception {
  public:
@@ -50,7 +38,7 @@ class FinishedEarly : public std::exception {
 };
 
 /// Runs `body` and returns its result, or the exit code that belongs to the exception it ended with:
-/// ConfigurationError, OutputError, std::filesystem::filesystem_error, std::invalid_argument, std::domain_error -> 2,
+/// ConfigurationError, FileError of record, std::filesystem::filesystem_error, std::invalid_argument, std::domain_error -> 2,
 /// everything else (std::runtime_error of an engine, std::bad_alloc, unknown types) -> 3, FinishedEarly -> 0.
 /// Prints exactly one message "flowslide: ..." to stderr per failure. `rank` is the MPI rank, if known: what every rank
 /// says alike (help, configuration) is printed by rank 0 only, a numerical failure by each rank that meets it.

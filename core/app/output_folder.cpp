@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/error.hpp"
+#include "record/atomic_file.hpp"
 
 namespace flowslide {
 namespace {
@@ -22,64 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* mark_folder = ".flowslide";
 constexpr const char* case_file = "case";
-
-[[noreturn]] void fail_to_write(const fs::path& file, int cause) {
-  throw OutputError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(cause)));
-}
-
-/// A file being written aside; it is removed again unless it was kept.
-class FileAside {
- public:
-  explicit FileAside(const fs::path& file) : target_(file), path_(file.string() + fmt::format(".{}.part", ::getpid())) {
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) fail_to_write(target_, errno);
-  }
-  ~FileAside() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!kept_) ::unlink(path_.c_str());
-  }
-  FileAside(const FileAside&) = delete;
-  FileAside& operator=(const FileAside&) = delete;
-
-  void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(descriptor_, text.data(), text.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail_to_write(target_, errno);
-      text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (::fsync(descriptor_) != 0) fail_to_write(target_, errno);
-    const int closed = ::close(descriptor_);
-    descriptor_ = -1;
-    if (closed != 0) fail_to_write(target_, errno);
-  }
-
-  void put_in_place(Overwrite overwrite) {
-    if (overwrite == Overwrite::replace) {
-      if (::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
-      kept_ = true;
-    } else if (::link(path_.c_str(), target_.c_str()) != 0) {  // fails, in one step, when the target is there
-      if (errno != EEXIST) fail_to_write(target_, errno);
-      throw OutputError(fmt::format("{}: is there already and is not overwritten; remove it or choose another --output",
-                                    target_.string()));
-    }
-    sync_folder();
-  }
-
- private:
-  void sync_folder() const {
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;  // the file is in place; a folder that cannot be read is no loss
-    ::fsync(descriptor);
-    ::close(descriptor);
-  }
-
-  fs::path target_;
-  fs::path path_;
-  int descriptor_ = -1;
-  bool kept_ = false;
-};
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& problem) {
   throw ConfigurationError(
@@ -124,12 +67,6 @@ void check_foreign_files(const fs::path& path) {
 
 }  // namespace
 
-void write_atomically(const fs::path& file, std::string_view text, Overwrite overwrite) {
-  FileAside aside(file);
-  aside.write(text);
-  aside.put_in_place(overwrite);
-}
-
 OutputFolder OutputFolder::open(const fs::path& path, const std::string& case_name) {
   check_is_folder(path);
   std::error_code failure;
@@ -141,7 +78,7 @@ OutputFolder OutputFolder::open(const fs::path& path, const std::string& case_na
   if (failure) refuse(path, fmt::format("cannot be written: {}", failure.message()));
   try {  // also on a marked folder: it tells before a run, not after, that nothing can be written
     write_atomically(path / mark_folder / case_file, case_name + "\n");
-  } catch (const OutputError& error) {
+  } catch (const FileError& error) {
     refuse(path, fmt::format("cannot be written ({})", error.what()));
   }
   return OutputFolder(path);

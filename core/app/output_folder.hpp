@@ -8,14 +8,6 @@
 
 namespace flowslide {
 
-/// What to do with a file that is there already.
-enum class Overwrite { refuse, replace };
-
-/// Writes a file whole or not at all: aside in the same folder, synced, then renamed. Throws OutputError with path and
-/// cause (also when it is there and `overwrite` is refuse); then the old file is as it was and nothing is left beside.
-void write_atomically(const std::filesystem::path& file, std::string_view text,
-                      Overwrite overwrite = Overwrite::replace);
-
 /// A folder of results of one case. It holds a folder ".flowslide" that says so: a file "case" with the name of the
 /// case, and per point a file "<point>.hash" with the hash of the configuration that it was run with.
 class OutputFolder {

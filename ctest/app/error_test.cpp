@@ -5,6 +5,8 @@
 #include <new>
 
 #include "messages.hpp"
+#include "record/atomic_file.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 namespace {
@@ -47,14 +49,14 @@ TEST(RunMain, PassesTheResultOnInSilence) {
 
 TEST(RunMain, EndsWithTwoForBadInput) {
   EXPECT_EQ(outcome_of_throwing(ConfigurationError("a")).code, 2);
-  EXPECT_EQ(outcome_of_throwing(OutputError("a")).code, 2);
+  EXPECT_EQ(outcome_of_throwing(FileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::invalid_argument("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::domain_error("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::filesystem::filesystem_error("a", std::error_code())).code, 2);
 }
 
 TEST(RunMain, EndsWithThreeForEverythingElse) {
-  EXPECT_EQ(outcome_of_throwing(NumericalError("a")).code, 3);
+  EXPECT_EQ(outcome_of_throwing(NumericalFailure("a")).code, 3);
   EXPECT_EQ(outcome_of_throwing(std::runtime_error("a")).code, 3);
   EXPECT_EQ(outcome_of_throwing(std::out_of_range("a")).code, 3);
   EXPECT_EQ(outcome_of_throwing(std::bad_alloc()).code, 3);
@@ -79,7 +81,7 @@ TEST(RunMain, LetsOneRankSpeakForAllAboutInput) {
   EXPECT_EQ(outcome_of_throwing(ConfigurationError("a"), 1).error, "");
   EXPECT_EQ(outcome_of_throwing(ConfigurationError("a"), 1).code, 2);
   EXPECT_EQ(outcome_of_throwing(FinishedEarly("help"), 1).output, "");
-  EXPECT_EQ(outcome_of_throwing(NumericalError("a grain left the cell"), 1).error,
+  EXPECT_EQ(outcome_of_throwing(NumericalFailure("a grain left the cell"), 1).error,
             "flowslide: rank 1: a grain left the cell\n");
 }
 

@@ -102,50 +102,5 @@ TEST(OutputFolder, RefusesPointNamesThatLeaveTheFolder) {
   EXPECT_FALSE(fs::exists(scratch.path() / "x.hash"));
 }
 
-TEST(WriteAtomically, ReplacesAFileAndLeavesNothingBeside) {
-  const ScratchFolder scratch;
-  const fs::path file = scratch.path() / "a.txt";
-  write_atomically(file, "one");
-  write_atomically(file, std::string(1'000'000, 'x'));
-  EXPECT_EQ(content_of(file).size(), 1'000'000U);
-  EXPECT_EQ(count_of(scratch.path()), 1U);
-}
-
-TEST(WriteAtomically, RefusesToOverwriteWhenTold) {
-  const ScratchFolder scratch;
-  const fs::path file = scratch.path() / "a.txt";
-  write_atomically(file, "one", Overwrite::refuse);
-  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(file, "two", Overwrite::refuse); }),
-                  "a.txt: is there already and is not overwritten");
-  EXPECT_EQ(content_of(file), "one");
-  EXPECT_EQ(count_of(scratch.path()), 1U);
-}
-
-TEST(WriteAtomically, NamesPathAndCauseOfAFailure) {
-  const ScratchFolder scratch;
-  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(scratch.path() / "none" / "a", "x"); }),
-                  "none/a: cannot be written: No such file or directory");
-  fs::create_directory(scratch.path() / "folder");
-  EXPECT_CONTAINS(message_of<OutputError>([&] { write_atomically(scratch.path() / "folder", "x"); }),
-                  "folder: cannot be written: ");
-  EXPECT_EQ(count_of(scratch.path()), 1U);
-}
-
-TEST(WriteAtomically, LeavesTheOldFileWhenThereIsNoRoom) {
-  const ScratchFolder scratch;
-  const fs::path file = scratch.write("a.txt", "old");
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // so that a write beyond the limit fails instead
-  const rlimit narrow{1000, before.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &narrow), 0);
-  const std::string message = message_of<OutputError>([&] { write_atomically(file, std::string(100'000, 'x')); });
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_CONTAINS(message, "a.txt: cannot be written: File too large");
-  EXPECT_EQ(content_of(file), "old");
-  EXPECT_EQ(count_of(scratch.path()), 1U);
-}
-
 }  // namespace
 }  // namespace flowslide

@@ -29,9 +29,12 @@ std::string box_command(const Cell& cell) {
   return line + " units box";
 }
 
+/// As a share of the smallest diameter. Holds to 5 m/s at a step of 1e-5 s.
+constexpr double skin_share = 0.05;
+
 }  // namespace
 
-std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings, double skin) {
+std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings) {
   const Material& m = settings.material;
   const auto& periodic = assembly.cell.periodic;
   const auto boundary = [&](int axis) { return periodic[axis] ? 'p' : 'f'; };
@@ -45,7 +48,7 @@ std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSe
       "communicate single vel yes",
       box_command(assembly.cell),
       fmt::format("create_box {} box", atom_types),
-      fmt::format("neighbor {:.17g} bin", skin),
+      fmt::format("neighbor {:.17g} bin", skin_share * 2.0 * assembly.smallest_radius()),
       // A factor above 1 makes LIGGGHTS clear the history of a pair that separates; else it waits for the next build
       // of the neighbour list and an old spring may come back to life.
       "neigh_modify delay 0 every 1 check yes contact_distance_factor 1.005",

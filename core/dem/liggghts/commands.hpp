@@ -16,8 +16,7 @@ constexpr Role role_of(int atom_type) { return static_cast<Role>(atom_type - 1);
 inline constexpr double box_margin = 0.25;
 
 /// Commands that set up a simulation of the grains of `assembly`, before any grain exists.
-/// `skin`: what the neighbour list reaches beyond touching, m.
-std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings, double skin);
+std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings);
 
 /// Commands that need the grains: which of them obey Newton's law, which pairs are left out.
 std::vector<std::string> grain_commands();

@@ -31,9 +31,6 @@
 namespace flowslide {
 namespace {
 
-/// What the neighbour list reaches beyond touching, as a share of the smallest diameter.
-constexpr double skin_share = 0.05;
-
 void sum_over_ranks(double* values, std::size_t count) {
   MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
 }
@@ -76,8 +73,7 @@ void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settin
   grains_ = assembly.size();
   instance_.reset();
   instance_ = std::make_unique<LiggghtsInstance>(log_);
-  const double skin = skin_share * 2.0 * assembly.smallest_radius();
-  for (const std::string& line : setup_commands(assembly, settings, skin)) instance_->command(line);
+  for (const std::string& line : setup_commands(assembly, settings)) instance_->command(line);
   create_grains(assembly);
   for (const std::string& line : grain_commands()) instance_->command(line);
   install_steering(assembly.cell);

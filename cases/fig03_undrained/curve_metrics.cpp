@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "curve_metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace flowslide {
+namespace {
+
+constexpr double first_window = 0.05;       ///< strain within which the first peak lies
+constexpr double liquefied_from = 0.10;     ///< strain from which the loosest sample has been liquefied for long
+constexpr double regain_from = 0.25;        ///< "when shear strain develops more than 25 %"
+constexpr double quasi_static = 1e-3;       ///< inertial number up to which shearing is nearly quasi-static
+constexpr double carries_stress = 0.01;     ///< share of sigma_0 above which a sample is not liquefied
+
+class Record {
+ public:
+  Record(const Series& series, double scale) : series_(series), scale_(scale) {}
+
+  std::size_t rows() const { return series_.rows(); }
+  double at(const char* column, std::size_t row) const { return series_.column(column).values[row]; }
+  double strain(std::size_t row) const { return at("shear_strain", row); }
+  double final_strain() const { return strain(rows() - 1); }
+  double scale() const { return scale_; }
+
+  /// Calls visit(row) for the rows whose strain lies in [from, to].
+  void each(double from, double to, const std::function<void(std::size_t)>& visit) const {
+    for (std::size_t row = 0; row < rows(); ++row)
+      if (strain(row) >= from && strain(row) <= to) visit(row);
+  }
+  double largest(const char* column, double from, double to) const {
+    double value = -std::numeric_limits<double>::infinity();
+    each(from, to, [&](std::size_t row) { value = std::max(value, at(column, row)); });
+    return value;
+  }
+  double smallest(const char* column, double from, double to) const {
+    double value = std::numeric_limits<double>::infinity();
+    each(from, to, [&](std::size_t row) { value = std::min(value, at(column, row)); });
+    return value;
+  }
+  /// Mean over strain (rows are not evenly spaced).
+  double mean(const char* column, double from, double to) const {
+    double sum = 0.0, width = 0.0;
+    for (std::size_t row = 1; row < rows(); ++row) {
+      if (strain(row - 1) < from || strain(row) > to) continue;
+      const double step = strain(row) - strain(row - 1);
+      sum += 0.5 * (at(column, row) + at(column, row - 1)) * step;
+      width += step;
+    }
+    return sum / width;
+  }
+
+ private:
+  const Series& series_;
+  double scale_;
+};
+
+void add_sample(std::vector<Metric>& metrics, const FoundSample& found) {
+  metrics.push_back({"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"});
+  metrics.push_back({"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1",
+                     "void ratio a mean diameter away from the planes"});
+  metrics.push_back({"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"});
+  metrics.push_back({"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"});
+  metrics.push_back({"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"});
+}
+
+void add_peak(std::vector<Metric>& metrics, const Record& record) {
+  const double peak = record.largest("shear_stress", 0.0, first_window);
+  metrics.push_back({"peak_shear_stress", peak, "Pa", "largest shear stress up to 5 % strain"});
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    if (record.at("shear_stress", row) == peak) {
+      metrics.push_back({"strain_at_peak", record.strain(row), "1", "shear strain at that stress"});
+      break;
+    }
+}
+
+/// Liquefaction and regain.
+void add_liquefaction(std::vector<Metric>& metrics, const Record& record) {
+  const double end = record.final_strain();
+  if (end < regain_from) return;
+  metrics.push_back({"mean_liquefied_normal", record.mean("normal_stress", liquefied_from, end) / record.scale(), "1",
+                     "mean normal stress beyond 10 % strain over sigma_0"});
+  metrics.push_back({"mean_liquefied_shear", record.mean("shear_stress", liquefied_from, end) / record.scale(), "1",
+                     "mean shear stress beyond 10 % strain over sigma_0"});
+  const double lowest = record.smallest("normal_stress", 0.0, regain_from);
+  metrics.push_back({"lowest_normal", lowest / record.scale(), "1",
+                     "lowest normal stress up to 25 % strain over sigma_0"});
+  metrics.push_back({"regained_shear", record.largest("shear_stress", regain_from, end) / record.scale(), "1",
+                     "largest shear stress beyond 25 % strain over sigma_0"});
+  double low_strain = 0.0;
+  record.each(0.0, regain_from, [&](std::size_t row) {
+    if (record.at("normal_stress", row) == lowest) low_strain = record.strain(row);
+  });
+  metrics.push_back({"regain_over_peak",
+                     record.largest("shear_stress", low_strain, end) /
+                         record.largest("shear_stress", 0.0, std::min(low_strain, first_window)),
+                     "1", "largest shear stress after the lowest normal stress over the first peak"});
+}
+
+void add_rates(std::vector<Metric>& metrics, const Record& record) {
+  metrics.push_back({"initial_inertial_number", record.at("inertial_number", 0), "1", "inertial number at the start"});
+  double most = 0.0, largest = 0.0, kinetic = 0.0;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const double number = record.at("inertial_number", row), normal = record.at("normal_stress", row);
+    largest = std::max(largest, number);
+    if (number > quasi_static) most = std::max(most, normal / record.scale());
+    const double share = record.at("kinetic_normal_stress", row) / normal;
+    if (normal > carries_stress * record.scale()) kinetic = std::max(kinetic, share);
+  }
+  metrics.push_back({"largest_inertial_number", largest, "1", "largest inertial number of the test"});
+  metrics.push_back({"normal_when_not_quasi_static", most, "1",
+                     "largest normal stress over sigma_0 at which the inertial number exceeds 1e-3"});
+  metrics.push_back({"kinetic_share", kinetic, "1",
+                     "largest kinetic over contact normal stress while the sample bears 1 % of sigma_0"});
+}
+
+/// How far Bagi's and Nicot's stress part.
+void add_formulas(std::vector<Metric>& metrics, const Record& record) {
+  double apart = 0.0;
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    apart = std::max({apart, std::abs(record.at("bagi_shear_stress", row) - record.at("nicot_shear_stress", row)),
+                      std::abs(record.at("bagi_normal_stress", row) - record.at("nicot_normal_stress", row))});
+  metrics.push_back({"bagi_nicot_difference",
+                     apart / record.largest("bagi_shear_stress", 0.0, record.final_strain()), "1",
+                     "largest difference of Bagi's and Nicot's stress over the largest shear stress"});
+}
+
+}  // namespace
+
+std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress, const FoundSample& sample) {
+  const Record record(series, initial_normal_stress);
+  std::vector<Metric> metrics;
+  add_sample(metrics, sample);
+  add_peak(metrics, record);
+  add_liquefaction(metrics, record);
+  add_rates(metrics, record);
+  add_formulas(metrics, record);
+  return metrics;
+}
+
+}  // namespace flowslide

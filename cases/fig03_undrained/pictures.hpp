@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "app/output_folder.hpp"
+#include "grains/assembly.hpp"
+
+namespace flowslide {
+
+/// What Fig. 2 shows: the sample before shear and at a strain, for gnuplot, and a series for ParaView in between.
+class Pictures {
+ public:
+  /// Without a strain nothing is kept and nothing written.
+  explicit Pictures(std::optional<double> strain) : strain_(strain) {}
+
+  /// Keeps the assembly if a picture is due at this strain.
+  void take(double time, double strain, const Assembly& assembly);
+  /// Writes fig02_before.dat and fig02_during.dat, and <name>.pvd with its .vtp files.
+  void write(const OutputFolder& output, const std::string& name) const;
+
+ private:
+  struct Shot {
+    double time = 0.0, strain = 0.0;
+    Assembly assembly;
+  };
+  std::optional<double> strain_;
+  std::vector<Shot> shots_;
+};
+
+}  // namespace flowslide

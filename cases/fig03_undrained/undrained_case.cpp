@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "undrained_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "app/error.hpp"
+#include "app/ranks.hpp"
+#include "app/sample_cache.hpp"
+#include "curve_metrics.hpp"
+#include "dem/liggghts/commands.hpp"
+#include "dem/make_engine.hpp"
+#include "grains/measures.hpp"
+#include "pictures.hpp"
+#include "record/atomic_file.hpp"
+#include "record/gnuplot_table.hpp"
+#include "record/result_file.hpp"
+
+namespace flowslide {
+namespace {
+
+/// What LIGGGHTS takes for a grain and step on one core of a current server, dense: for predictions alone.
+constexpr double seconds_per_grain_and_step = 1.6e-7;
+
+std::string point_name(const std::string& curve, int replicate) {
+  return replicate == 0 ? curve : fmt::format("{}_r{}", curve, replicate + 1);
+}
+
+}  // namespace
+
+CaseDescription UndrainedCase::description() const {
+  return {"fig03_undrained", "Constant-volume simple shear of loose packings (Figs. 2, 3 and 4)", FLOWSLIDE_VERSION,
+          {"Fig. 2", "Fig. 3", "Fig. 4"}, engine_names()};
+}
+
+void UndrainedCase::read(const Configuration& configuration) {
+  engine_ = configuration.text("engine", engine_names());
+  slope_ = read_slope(configuration);
+  material_ = read_material(configuration);
+  seed_ = configuration.integer("seed", Range::between(0, 1e9));
+  const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
+  for (int replicate = 0; replicate < replicates; ++replicate)
+    samples_.push_back(read_samples(configuration, slope_, material_, replicate));
+  time_step_ = configuration.quantity("shear.time_step", dimension::time, Range::positive());
+  if (!samples_.front().empty())
+    check_time_step(configuration, "shear.time_step", samples_.front().front().recipe.packing.smallest_diameter,
+                    material_);
+  for (int replicate = 0; replicate < replicates; ++replicate)
+    for (const std::string& name : configuration.subtables("point")) read_curve(configuration, name, replicate);
+}
+
+void UndrainedCase::read_curve(const Configuration& configuration, const std::string& name, int replicate) {
+  const std::string table = "point." + name + ".";
+  Curve curve;
+  curve.replicate = replicate;
+  std::vector<std::string> names;
+  for (const SampleSpecification& sample : samples_[replicate]) names.push_back(sample.name);
+  const std::string sample = configuration.text(table + "sample", names);
+  curve.sample = static_cast<std::size_t>(std::find(names.begin(), names.end(), sample) - names.begin());
+  const SampleRecipe& recipe = sample_of(curve).recipe;
+  if (configuration.has(table + "inertial_number")) {
+    const double number = configuration.number(table + "inertial_number", Range::positive());
+    const double mean_diameter = lattice_packing(recipe.packing).mean_diameter();
+    curve.test.shear_rate = shear_rate_for(number, mean_diameter, material_.density, recipe.normal_stress);
+    configuration.accept(table + "shear_rate");
+  } else {
+    curve.test.shear_rate = configuration.quantity(table + "shear_rate", dimension::rate, Range::positive());
+  }
+  curve.test.final_strain = configuration.number(table + "final_strain", Range::above_up_to(0.0, 100.0));
+  curve.test.rows = static_cast<int>(configuration.integer("shear.rows", Range::between(10, 100000)));
+  if (configuration.has(table + "picture_strain"))
+    curve.picture_strain =
+        configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
+
+  const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
+  const auto steps = static_cast<double>(curve.test.steps(time_step_));
+  curve.point = {point_name(name, replicate), configuration.texts(table + "figures"),
+                 fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,
+                             curve.test.shear_rate, 100.0 * curve.test.final_strain, steps, grains),
+                 steps * grains * seconds_per_grain_and_step};
+  curves_.push_back(curve);
+}
+
+std::vector<Point> UndrainedCase::points() const {
+  std::vector<Point> points;
+  for (const Curve& curve : curves_) points.push_back(curve.point);
+  return points;
+}
+
+const Curve& UndrainedCase::curve(const std::string& name) const {
+  return *std::find_if(curves_.begin(), curves_.end(), [&](const Curve& c) { return c.point.name == name; });
+}
+
+void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
+  const Curve& planned = curve(point.name);
+  const SampleSpecification& sample = sample_of(planned);
+  out << fmt::format("# sample {}: e0 = {} +- {}, search from mu_1 = {} and a drag of {} kg/s, seed {}\n", sample.name,
+                     sample.target.void_ratio, sample.target.tolerance, sample.recipe.preparation_friction,
+                     sample.recipe.drag, sample.recipe.packing.seed);
+  out << fmt::format("# key of its first trial in the cache: {}\n",
+                     cache_key(sample.recipe, engine_ + " " + make_engine(engine_, "/dev/null")->version()));
+  if (engine_ == "liggghts") {
+    Assembly assembly = lattice_packing(sample.recipe.packing);
+    assembly.cell.periodic = {true, true, false};
+    out << "# LIGGGHTS, with the box of the loose packing in place of the sample's:\n";
+    for (const auto& line : setup_commands(assembly, {material_, time_step_, 0.0}))
+      out << line << "\n";
+    for (const auto& line : grain_commands()) out << line << "\n";
+  }
+  out << fmt::format("# {} steps of {} s, {} rows\n", planned.test.steps(time_step_), time_step_,
+                     planned.test.row_steps(time_step_).size());
+}
+
+void UndrainedCase::run(const Point& point, const PointRun& run) const {
+  const Curve& running = curve(point.name);
+  const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
+  const FoundSample found = find_sample(*engine, sample_of(running), sample_cache_folder(), run.progress);
+
+  DemSample sample(*engine, found.sample.assembly, {material_, time_step_, 0.0});
+  Progress progress(point.name, running.test.steps(time_step_), run.progress);
+  Pictures pictures(running.picture_strain);
+  const Series series = run_element_test(sample, running.test, [&](std::int64_t steps, const Assembly& assembly,
+                                                                   const Series& so_far) {
+    pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
+    progress.update(steps, fmt::format("strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa",
+                                       100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
+  });
+
+  Result result{run.provenance, run.configuration, run.configuration_hash, series,
+                curve_metrics(series, sample_of(running).recipe.normal_stress, found)};
+  result.provenance.engine = engine->name();
+  result.provenance.engine_version = engine->version();
+  result.provenance.seed = seed_;
+  result.provenance.replicate = running.replicate;
+  on_first_rank([&] {
+    pictures.write(run.output, point.name);
+    write_table(run.output.file(point.name + ".dat"), table_of(result));
+    write_result(run.output.file(point.name + ".h5"), result);
+  });
+  progress.finish();
+}
+
+std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path& folder,
+                                                     const std::vector<std::string>& points) const {
+  std::map<std::string, double> all;
+  for (const std::string& name : points)
+    for (const Metric& metric : read_result(folder / (name + ".h5")).metrics) all[name + "." + metric.name] = metric.value;
+  const auto slow = all.find("I_1e-4.peak_shear_stress"), fast = all.find("I_2e-2.peak_shear_stress");
+  if (slow != all.end() && fast != all.end()) all["rate_effect"] = fast->second / slow->second;
+  return all;
+}
+
+void UndrainedCase::finish(const OutputFolder& output) const {
+  std::string legend;
+  for (const Curve& curve : curves_) {
+    const auto file = output.file(curve.point.name + ".h5");
+    if (!std::filesystem::exists(file)) continue;
+    const std::string& name = curve.point.name;
+    for (const Metric& metric : read_result(file).metrics) {
+      if (name.starts_with("e0") && metric.name == "initial_void_ratio")
+        legend += fmt::format("{}\te_0 = {:.3f}\n", name, metric.value);
+      if (name.starts_with("I_") && metric.name == "initial_inertial_number")
+        legend += fmt::format("{}\tI = {:.0e}\n", name, metric.value);
+    }
+  }
+  write_atomically(output.file("legend.dat"), legend);
+}
+
+}  // namespace flowslide

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <optional>
+
+#include "app/case_program.hpp"
+#include "app/element_test.hpp"
+#include "app/models.hpp"
+
+namespace flowslide {
+
+/// One curve of Fig. 3 or 4.
+struct Curve {
+  Point point;
+  ElementTest test;
+  std::size_t sample = 0;                  ///< index into samples of its replicate
+  int replicate = 0;
+  std::optional<double> picture_strain;    ///< of Fig. 2B; a curve with one also writes ParaView files
+};
+
+/// Figs. 2, 3 and 4: constant-volume simple shear of loose packings.
+class UndrainedCase : public Case {
+ public:
+  CaseDescription description() const override;
+  void read(const Configuration& configuration) override;
+  std::vector<Point> points() const override;
+  void print_plan(const Point& point, std::ostream& out) const override;
+  void run(const Point& point, const PointRun& run) const override;
+  std::map<std::string, double> metrics(const std::filesystem::path& folder,
+                                        const std::vector<std::string>& points) const override;
+  void finish(const OutputFolder& output) const override;
+
+ private:
+  void read_curve(const Configuration& configuration, const std::string& name, int replicate);
+  const Curve& curve(const std::string& name) const;
+  const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
+
+  std::string engine_;
+  std::int64_t seed_ = 1;
+  double time_step_ = 0.0;
+  Material material_;
+  SlopeProperties slope_;
+  std::vector<std::vector<SampleSpecification>> samples_;  ///< per replicate
+  std::vector<Curve> curves_;
+};
+
+}  // namespace flowslide

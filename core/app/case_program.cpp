@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/case_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+#include <span>
+
+#include "app/claims.hpp"
+#include "app/error.hpp"
+#include "app/ranks.hpp"
+#include "dem/liggghts/instance.hpp"
+#include "record/atomic_file.hpp"
+#include "record/result_file.hpp"
+
+namespace flowslide {
+namespace {
+
+class CaseProgram {
+ public:
+  CaseProgram(Case& the_case, const CommandLine& options, const std::filesystem::path& folder,
+              std::span<const char* const> arguments)
+      : case_(the_case),
+        options_(options),
+        folder_(folder),
+        arguments_(arguments),
+        configuration_(layers_of(options, folder / "case.toml")) {
+    case_.read(configuration_);
+    configuration_.reject_unknown();
+    points_ = case_.points();
+    for (const std::string& name : selected_points(options_, names(points_))) chosen_.insert(name);
+  }
+
+  int run() {
+    if (options_.list) return list();
+    if (options_.dry_run) return plan();
+    if (options_.check) return check();
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name)) run_point(point);
+    // A single point is one of several programs side by side: who started them asks for the claims.
+    return options_.points.empty() ? check() : to_int(ExitCode::ok);
+  }
+
+ private:
+  static std::vector<std::string> names(const std::vector<Point>& points) {
+    std::vector<std::string> all;
+    for (const Point& point : points) all.push_back(point.name);
+    return all;
+  }
+  bool first_rank() const { return mpi_rank() == 0; }
+
+  int list() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    std::string text = options_.json ? "{\"points\": [" : "# name\tseconds\tdescription\n";
+    bool first = true;
+    for (const Point& point : points_) {
+      if (!chosen_.contains(point.name)) continue;
+      if (!options_.json) {
+        text += fmt::format("{}\t{:.0f}\t{}\n", point.name, point.predicted_seconds, point.description);
+        continue;
+      }
+      std::string figures;
+      for (const std::string& figure : point.figures)
+        figures += fmt::format("{}\"{}\"", figures.empty() ? "" : ", ", figure);
+      text += fmt::format("{}\n  {{\"name\": \"{}\", \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
+                          "\"description\": \"{}\"}}", first ? "" : ",", point.name, figures,
+                          point.predicted_seconds, point.description);
+      first = false;
+    }
+    std::cout << text << (options_.json ? "\n]}\n" : "");
+    return to_int(ExitCode::ok);
+  }
+
+  int plan() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    std::cout << "# resolved configuration, hash " << configuration_.hash() << "\n" << configuration_.resolved();
+    for (const Point& point : points_) {
+      if (!chosen_.contains(point.name)) continue;
+      std::cout << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
+                               duration_text(point.predicted_seconds));
+      case_.print_plan(point, std::cout);
+    }
+    return to_int(ExitCode::ok);
+  }
+
+  void run_point(const Point& point) {
+    const std::string hash = configuration_.hash();
+    std::optional<OutputFolder> output;
+    bool complete = false;
+    on_first_rank([&] {
+      output.emplace(OutputFolder::open(options_.output, case_.description().name));
+      output->begin_point(point.name, hash);
+      complete = is_complete(output->file(point.name + ".h5"), hash);
+    });
+    complete = same_on_all_ranks(complete);
+    if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_.description().name));
+    PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
+                 ProgressStyle::of_stderr(mpi_rank())};
+    if (complete) {
+      if (first_rank()) std::cerr << point.name << ": is there already, with this configuration; not run again\n";
+      return;
+    }
+    run.provenance.mpi_ranks = mpi_ranks();
+    run.provenance.case_name = case_.description().name;
+    run.provenance.point = point.name;
+    run.provenance.scale = options_.scale;
+    for (const std::string& figure : point.figures)
+      run.provenance.figure += (run.provenance.figure.empty() ? "" : ", ") + figure;
+    case_.run(point, run);
+  }
+
+  int check() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
+    std::vector<std::string> present;
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name) && std::filesystem::exists(output.file(point.name + ".h5")))
+        present.push_back(point.name);
+    case_.finish(output);
+    const auto metrics = case_.metrics(output.path(), present);
+    std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
+    if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
+    const std::vector<Verdict> verdicts = evaluate(claims, metrics);
+    if (verdicts.empty()) return to_int(ExitCode::ok);
+    write_atomically(output.file("claims.md"), markdown_table(verdicts));
+    write_atomically(output.file("claims.json"), json(verdicts));
+    std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts));
+    return to_int(all_met(verdicts) ? ExitCode::ok : ExitCode::claim_not_met);
+  }
+
+  /// Whether a claim is about a figure that one of the chosen points belongs to.
+  bool concerns(const Claim& claim) const {
+    return std::any_of(points_.begin(), points_.end(), [&](const Point& point) {
+      return chosen_.contains(point.name) &&
+             std::any_of(point.figures.begin(), point.figures.end(), [&](const std::string& figure) {
+               const std::string start = "Fig. " + figure;
+               return claim.figure.starts_with(start) &&
+                      (claim.figure.size() == start.size() || !std::isdigit(claim.figure[start.size()]));
+             });
+    });
+  }
+
+  Case& case_;
+  const CommandLine& options_;
+  std::filesystem::path folder_;
+  std::span<const char* const> arguments_;
+  Configuration configuration_;
+  std::vector<Point> points_;
+  std::set<std::string> chosen_;
+};
+
+}  // namespace
+
+int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder) {
+  return run_main(
+      [&] {
+        const CommandLine options = parse(argc, argv, the_case.description());
+        return CaseProgram(the_case, options, folder, {argv, static_cast<std::size_t>(argc)}).run();
+      },
+      mpi_rank());
+}
+
+}  // namespace flowslide

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the main program of every case is made of.
+#pragma once
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/configuration.hpp"
+#include "app/output_folder.hpp"
+#include "app/progress.hpp"
+#include "record/provenance.hpp"
+
+namespace flowslide {
+
+/// One run of a case, such as one curve of a figure: the unit that is run, kept and skipped when it is there.
+struct Point {
+  std::string name;                   ///< also of its files: <name>.h5, <name>.dat
+  std::vector<std::string> figures;   ///< of the paper that draw it, "3"
+  std::string description;
+  double predicted_seconds = 0.0;     ///< on one core, with its samples in the cache
+};
+
+/// What a point needs to be run.
+struct PointRun {
+  const OutputFolder& output;
+  Provenance provenance;              ///< complete but for engine_version, seed and replicate
+  std::string configuration;          ///< resolved
+  std::string configuration_hash;
+  ProgressStyle progress;
+};
+
+/// A case of the paper: what differs between their programs.
+class Case {
+ public:
+  virtual ~Case() = default;
+  virtual CaseDescription description() const = 0;
+  /// Reads all that the configuration may hold. Called once, before the rest.
+  virtual void read(const Configuration& configuration) = 0;
+  virtual std::vector<Point> points() const = 0;
+  /// What a point would do: engine commands, steps, time. For --dry-run.
+  virtual void print_plan(const Point& point, std::ostream& out) const = 0;
+  /// Runs a point and writes its files. Collective over the MPI ranks.
+  virtual void run(const Point& point, const PointRun& run) const = 0;
+  /// The numbers that claims are about, from the files of these points. A number that does not exist is left out.
+  virtual std::map<std::string, double> metrics(const std::filesystem::path& folder,
+                                                const std::vector<std::string>& points) const = 0;
+  /// Writes what the figures need besides the tables of the points. Called before claims are checked.
+  virtual void finish(const OutputFolder&) const {}
+};
+
+/// The whole program: reads the command line, then lists, plans, runs or checks. `folder` holds case.toml and
+/// claims.toml. Returns the exit code (see ExitCode).
+int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder);
+
+}  // namespace flowslide

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/element_test.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "grains/kinetic_stress.hpp"
+#include "grains/measures.hpp"
+#include "grains/slab_stress.hpp"
+#include "grains/stress.hpp"
+
+namespace flowslide {
+namespace {
+
+std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate) {
+  const Material& material = sample.settings().material;
+  const ContactForces forces = evaluate_contact_forces(assembly, material, sample.settings().time_step);
+  const Matrix3 kinetic_tensor = kinetic_stress(assembly, material);
+  const SlopeStress bagi = slope_stress(bagi_stress(assembly, forces));
+  const SlopeStress nicot = slope_stress(nicot_stress(assembly, forces, material));
+  const SlopeStress kinetic = slope_stress(kinetic_tensor);
+  // Dashpots may pull for a moment when hardly a contact is left; a pressure below zero has no inertial number.
+  const double mean = std::max(slope_stress(bulk_stress(assembly, forces)).mean, 0.0) + kinetic.mean;
+  const CellStress told = sample.stress();
+  return {sample.shear_strain(),
+          told.shear,
+          told.normal,
+          mean,
+          inertial_number(shear_rate, assembly.mean_diameter(), material.density, mean),
+          sample.void_ratio(),
+          bagi.shear,
+          bagi.normal,
+          nicot.shear,
+          nicot.normal,
+          kinetic.shear,
+          kinetic.normal};
+}
+
+}  // namespace
+
+std::int64_t ElementTest::steps(double time_step) const {
+  return std::max<std::int64_t>(1, std::llround(final_strain / (shear_rate * time_step)));
+}
+
+std::vector<std::int64_t> ElementTest::row_steps(double time_step) const {
+  const std::int64_t last = steps(time_step);
+  std::vector<std::int64_t> at{0};
+  for (int k = 1; k <= rows; ++k) {
+    const double share = static_cast<double>(k) / rows;
+    const auto step = static_cast<std::int64_t>(std::llround(share * share * static_cast<double>(last)));
+    if (step > at.back()) at.push_back(step);
+  }
+  return at;
+}
+
+Series element_test_series() {
+  const char* shear = "positive downslope";
+  const char* compression = "compression positive";
+  Series series;
+  series.columns = {
+      {"shear_strain", "gamma", "1", "shear strain", shear, {}},
+      {"shear_stress", "tau", "Pa", "shear stress of the cell, by its boundary and grain forces", shear, {}},
+      {"normal_stress", "sigma", "Pa", "normal stress of the cell, by its boundary and grain forces", compression, {}},
+      {"mean_stress", "p", "Pa", "mean stress away from the glued layers, with the kinetic part", compression, {}},
+      {"inertial_number", "I", "1", "inertial number", "", {}},
+      {"void_ratio", "e", "1", "void ratio of the cell", "", {}},
+      {"bagi_shear_stress", "tau_B", "Pa", "shear stress by Bagi (eq. 12)", shear, {}},
+      {"bagi_normal_stress", "sigma_B", "Pa", "normal stress by Bagi (eq. 12)", compression, {}},
+      {"nicot_shear_stress", "tau_N", "Pa", "shear stress by Nicot (eq. 13)", shear, {}},
+      {"nicot_normal_stress", "sigma_N", "Pa", "normal stress by Nicot (eq. 13)", compression, {}},
+      {"kinetic_shear_stress", "tau_k", "Pa", "shear stress of the fluctuating velocities (eq. 14)", shear, {}},
+      {"kinetic_normal_stress", "sigma_k", "Pa", "normal stress of the fluctuating velocities (eq. 14)", compression,
+       {}},
+  };
+  return series;
+}
+
+Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe) {
+  Series series = element_test_series();
+  const double time_step = sample.settings().time_step;
+  sample.start_linear_velocity_field(test.shear_rate);
+  std::int64_t done = 0;
+  for (const std::int64_t at : test.row_steps(time_step)) {
+    sample.strain({test.shear_rate, 0.0}, at - done);
+    done = at;
+    const Assembly assembly = sample.assembly();
+    const auto values = row(sample, assembly, test.shear_rate);
+    series.append_row(sample.time(), values);
+    if (observe) observe(done, assembly, series);
+  }
+  return series;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "record/series.hpp"
+#include "sample/dem_sample.hpp"
+
+namespace flowslide {
+
+/// A constant-volume (undrained) simple shear test at a constant rate.
+struct ElementTest {
+  double shear_rate = 0.06;      ///< 1/s
+  double final_strain = 0.5;     ///< gamma
+  int rows = 500;                ///< of the record; closer together at the start, where the peak is
+
+  /// Steps in all, with a time step in s.
+  std::int64_t steps(double time_step) const;
+  /// Steps at which the rows are taken: gamma = final_strain (k/rows)^2, rounded, each at least one step after the
+  /// other, from 0 on.
+  std::vector<std::int64_t> row_steps(double time_step) const;
+};
+
+/// Columns of an element test in the order of the tables: shear strain, the stress that a slope is told, mean stress,
+/// inertial number, void ratio, and shear and normal stress by Bagi, by Nicot and of the kinetic part.
+Series element_test_series();
+
+/// What is told after each row.
+using RowObserver = std::function<void(std::int64_t steps, const Assembly& assembly, const Series& series)>;
+
+/// Shears a sample from a linear velocity field and records it. The mean stress is that of the bulk (see bulk_stress)
+/// with the kinetic part, and the inertial number is built on it, so that it stays finite when no contact is left.
+/// Throws NumericalFailure.
+Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe = {});
+
+}  // namespace flowslide

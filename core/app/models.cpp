@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/models.hpp"
+
+#include <stdexcept>
+
+#include "app/error.hpp"
+#include "sample/health.hpp"
+
+namespace flowslide {
+namespace {
+
+/// Room between the seeds of two replicates for the trials of a search.
+constexpr std::int64_t seeds_per_replicate = 1000;
+
+LatticePacking read_packing(const Configuration& configuration) {
+  LatticePacking packing;
+  const auto counts = configuration.integers("packing.lattice", Range::at_least(3));
+  if (counts.size() != 3)
+    configuration.refuse("packing.lattice", "a lattice has three counts", "write it as [20, 20, 22]");
+  for (int axis = 0; axis < 3; ++axis) packing.counts[axis] = static_cast<int>(counts[axis]);
+  packing.smallest_diameter =
+      configuration.quantity("packing.smallest_diameter", dimension::length, Range::positive());
+  packing.largest_diameter = configuration.quantity("packing.largest_diameter", dimension::length,
+                                                    Range::at_least(packing.smallest_diameter));
+  packing.seed = static_cast<std::uint64_t>(configuration.integer("seed", Range::between(0, 1e9)));
+  return packing;
+}
+
+SampleRecipe read_preparation(const Configuration& configuration) {
+  SampleRecipe recipe;
+  recipe.time_step = configuration.quantity("preparation.time_step", dimension::time, Range::positive());
+  recipe.loose_void_ratio = configuration.number("preparation.loose_void_ratio", Range::inside(0.95, 4.0));
+  recipe.compaction_rate = configuration.quantity("preparation.compaction_rate", dimension::rate, Range::positive());
+  const auto rates = configuration.quantities("preparation.servo_rates", dimension::rate, Range::positive());
+  if (rates.size() != 3)
+    configuration.refuse("preparation.servo_rates", "stages 2, 3 and 4 have one rate each", "give three rates");
+  for (int stage = 0; stage < 3; ++stage) recipe.servo_rates[stage] = rates[stage];
+  recipe.servo_interval =
+      static_cast<int>(configuration.integer("preparation.servo_interval", Range::between(1, 10000)));
+  recipe.stress_tolerance = configuration.number("preparation.stress_tolerance", Range::inside(0.0, 0.1));
+  recipe.kinetic_tolerance = configuration.number("preparation.kinetic_tolerance", Range::positive());
+  return recipe;
+}
+
+}  // namespace
+
+SlopeProperties read_slope(const Configuration& configuration) {
+  SlopeProperties slope;
+  const auto positive = [&](const char* key, const Dimension& dimension) {
+    return configuration.quantity(key, dimension, Range::positive());
+  };
+  slope.saturated_density = positive("slope.saturated_density", dimension::density);
+  slope.dry_density = positive("slope.dry_density", dimension::density);
+  slope.thickness = positive("slope.thickness", dimension::length);
+  slope.liquefiable_thickness = positive("slope.liquefiable_thickness", dimension::length);
+  slope.water_table = configuration.quantity("slope.water_table", dimension::length, Range::not_negative());
+  slope.angle = configuration.quantity("slope.angle", dimension::angle, Range::between(0.0, 1.5));
+  slope.hydraulic_conductivity =
+      configuration.quantity("slope.hydraulic_conductivity", dimension::velocity, Range::not_negative());
+  validate(slope);
+  return slope;
+}
+
+Material read_material(const Configuration& configuration) {
+  Material material;
+  material.density = configuration.quantity("material.density", dimension::density, Range::positive());
+  material.youngs_modulus = configuration.quantity("material.youngs_modulus", dimension::stress, Range::positive());
+  material.poisson_ratio = configuration.number("material.poisson_ratio", Range::from_below(0.0, 0.5));
+  material.restitution = configuration.number("material.restitution", Range::above_up_to(0.0, 1.0));
+  material.sliding_friction = configuration.number("material.sliding_friction", Range::not_negative());
+  material.rolling_friction = configuration.number("material.rolling_friction", Range::not_negative());
+  material.rolling_stiffness = configuration.number("material.rolling_stiffness", Range::at_least(1.0));
+  material.rolling_viscous_damping =
+      configuration.number("material.rolling_viscous_damping", Range::not_negative());
+  return material;
+}
+
+std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
+                                              const Material& material, int replicate) {
+  std::vector<SampleSpecification> samples;
+  for (const std::string& name : configuration.subtables("sample")) {
+    const std::string table = "sample." + name + ".";
+    SampleSpecification sample{name, read_preparation(configuration), {}};
+    sample.recipe.packing = read_packing(configuration);
+    sample.recipe.packing.seed += static_cast<std::uint64_t>(replicate * seeds_per_replicate);
+    sample.recipe.material = material;
+    sample.recipe.normal_stress = initial_normal_stress(slope);
+    sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
+    sample.recipe.preparation_friction =
+        configuration.number(table + "preparation_friction", Range::between(0.0, 2.0));
+    sample.recipe.drag = configuration.quantity(table + "drag", dimension::mass_rate, Range::not_negative());
+    sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
+    sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
+    sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));
+    check_time_step(configuration, "preparation.time_step", sample.recipe.packing.smallest_diameter, material);
+    try {
+      validate(sample.recipe);
+    } catch (const std::invalid_argument& error) {
+      throw ConfigurationError("sample " + name + ": " + error.what());
+    }
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
+                     const Material& material) {
+  try {
+    validate_time_step(configuration.quantity(key, dimension::time, Range::positive()), 0.5 * smallest_diameter,
+                       material);
+  } catch (const std::invalid_argument& error) {
+    configuration.refuse(key, error.what(), "see the limit");
+  }
+}
+
+}  // namespace flowslide

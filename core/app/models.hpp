@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The parts of a configuration that all cases share, as the structures that they stand for.
+#pragma once
+#include "app/configuration.hpp"
+#include "sample/recipe.hpp"
+#include "sample/void_ratio_search.hpp"
+#include "slope/statics.hpp"
+
+namespace flowslide {
+
+/// Table [slope]: Table 2 and the angle.
+SlopeProperties read_slope(const Configuration& configuration);
+
+/// Table [material]: Table 1 and the rolling parameters that it leaves open.
+Material read_material(const Configuration& configuration);
+
+/// One sample that a case needs.
+struct SampleSpecification {
+  std::string name;          ///< its key below [sample]
+  SampleRecipe recipe;       ///< where the search for its void ratio starts
+  VoidRatioTarget target;
+};
+
+/// The tables [sample.<name>], prepared as [packing] and [preparation] say, to the stresses of the slope; `isotropic`
+/// samples bear no shear stress. `replicate` (from 0) shifts the seed. Throws ConfigurationError.
+std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
+                                              const Material& material, int replicate);
+
+/// Refuses the value of `key` (s) as a DEM time step unless it suits the smallest grain of [packing].
+void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
+                     const Material& material);
+
+}  // namespace flowslide

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/sample_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "app/canonical.hpp"
+#include "app/ranks.hpp"
+#include "record/sample_store.hpp"
+
+namespace flowslide {
+namespace {
+
+/// A rough count, for the progress line alone: a preparation takes 120 000 to 250 000 steps.
+constexpr std::int64_t typical_steps = 200'000;
+
+double metric(const StoredSample& stored, const std::string& name) {
+  for (const Metric& candidate : stored.metrics)
+    if (candidate.name == name) return candidate.value;
+  throw CorruptFileError("a cached sample has no '" + name + "': it was written by another version; delete the cache");
+}
+
+StoredSample stored(const PreparedSample& sample, const std::string& recipe) {
+  const auto pascal = [](const char* name, double value, const char* text) { return Metric{name, value, "Pa", text}; };
+  return {recipe,
+          sample.assembly,
+          {{"void_ratio", sample.void_ratio, "1", "void ratio of the cell"},
+           {"bulk_void_ratio", sample.bulk_void_ratio, "1", "void ratio away from the glued layers"},
+           {"kinetic_number", sample.kinetic_number, "1", "mean kinetic energy of a grain over p D^3"},
+           {"steps", static_cast<double>(sample.steps), "1", "steps of the preparation"},
+           pascal("normal_stress", sample.stress.normal, "normal stress at rest"),
+           pascal("shear_stress", sample.stress.shear, "shear stress at rest"),
+           pascal("transverse_stress", sample.stress.transverse, "transverse shear stress at rest"),
+           pascal("lateral_stress_x", sample.stress.lateral_x, "lateral stress along x at rest"),
+           pascal("lateral_stress_y", sample.stress.lateral_y, "lateral stress along y at rest")}};
+}
+
+PreparedSample prepared(const StoredSample& stored) {
+  PreparedSample sample;
+  sample.assembly = stored.assembly;
+  sample.stress = {metric(stored, "normal_stress"), metric(stored, "shear_stress"),
+                   metric(stored, "transverse_stress"), metric(stored, "lateral_stress_x"),
+                   metric(stored, "lateral_stress_y")};
+  sample.void_ratio = metric(stored, "void_ratio");
+  sample.bulk_void_ratio = metric(stored, "bulk_void_ratio");
+  sample.kinetic_number = metric(stored, "kinetic_number");
+  sample.steps = static_cast<std::int64_t>(metric(stored, "steps"));
+  return sample;
+}
+
+PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
+                                     const ProgressStyle& style) {
+  Progress progress(label, typical_steps, style);
+  const PreparedSample sample = prepare_sample(engine, recipe, [&](const PreparationProgress& now) {
+    if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
+    progress.update(now.steps, fmt::format("stage {} of 4, e {:.3f}, sigma {:.0f} Pa", std::min(now.stage, 4),
+                                           now.void_ratio, now.stress.normal));
+  });
+  progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
+  return sample;
+}
+
+}  // namespace
+
+std::filesystem::path sample_cache_folder() {
+  const char* folder = std::getenv("FLOWSLIDE_CACHE");
+  return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path("cache");
+}
+
+std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
+  return hash_of_text(recipe.text() + "engine = " + engine + "\n");
+}
+
+FoundSample find_sample(Engine& engine, const SampleSpecification& specification,
+                        const std::filesystem::path& cache, const ProgressStyle& style) {
+  std::optional<SampleStore> store;
+  on_first_rank([&] { store.emplace(cache); });
+  if (!store) store.emplace(cache);  // the folder is there now
+  const std::string engine_name = engine.name() + " " + engine.version();
+  FoundSample found;
+  const auto prepare = [&](const SampleRecipe& recipe) {
+    const std::string key = cache_key(recipe, engine_name);
+    std::optional<FileLock> lock;
+    on_first_rank([&] { lock.emplace(store->lock(key)); });
+    if (const auto kept = store->find(key)) {
+      found.sample = prepared(*kept);
+    } else {
+      found.sample = prepare_with_progress(engine, recipe, fmt::format("sample {} (e0 {} wanted), trial {}",
+                                                                       specification.name,
+                                                                       specification.target.void_ratio,
+                                                                       found.trials + 1), style);
+      on_first_rank([&] { store->put(key, stored(found.sample, recipe.text())); });
+    }
+    ++found.trials;
+    return found.sample.void_ratio;
+  };
+  found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;
+  return found;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+
+#include "app/models.hpp"
+#include "app/progress.hpp"
+#include "dem/engine.hpp"
+#include "sample/preparation.hpp"
+
+namespace flowslide {
+
+/// A sample of the void ratio that was asked for, and how it was found.
+struct FoundSample {
+  PreparedSample sample;
+  SampleRecipe recipe;    ///< of the last trial, the one that fits
+  int trials = 0;
+};
+
+/// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder.
+std::filesystem::path sample_cache_folder();
+
+/// Key of a recipe in the cache.
+std::string cache_key(const SampleRecipe& recipe, const std::string& engine);
+
+/// Searches the recipe until the sample has its void ratio. Every trial is kept in the cache under the hash of all that
+/// went into it, engine included, so that the same search finds its samples again without a step. Collective over the
+/// MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache.
+FoundSample find_sample(Engine& engine, const SampleSpecification& specification,
+                        const std::filesystem::path& cache, const ProgressStyle& style);
+
+}  // namespace flowslide
