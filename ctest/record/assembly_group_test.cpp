@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "example.hpp"
-#include "same_assembly.hpp"
+#include "same_bits.hpp"
 
 namespace flowslide {
 namespace {

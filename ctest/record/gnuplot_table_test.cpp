@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "damage.hpp"
 #include "example.hpp"
+#include "same_bits.hpp"
 #include "temporary_folder.hpp"
 
 namespace flowslide {
@@ -19,20 +19,8 @@ TEST(GnuplotTable, EqualsTheResultFileBitForBit) {
   write_result(folder / "run.h5", example_result());
   const auto result = read_result(folder / "run.h5");
   write_table(folder / "run.dat", table_of(result));
-  const auto table = read_table(folder / "run.dat");
-  ASSERT_EQ(table.series.columns.size(), result.series.columns.size());
-  const auto expect_same = [](const Column& left, const Column& right) {
-    EXPECT_EQ(left.name, right.name);
-    EXPECT_EQ(left.symbol, right.symbol);
-    EXPECT_EQ(left.units, right.units);
-    EXPECT_EQ(left.long_name, right.long_name);
-    EXPECT_EQ(left.sign_convention, right.sign_convention);
-    ASSERT_EQ(left.values.size(), right.values.size());
-    EXPECT_EQ(std::memcmp(left.values.data(), right.values.data(), left.values.size() * sizeof(double)), 0);
-  };
-  expect_same(table.series.axis, result.series.axis);
-  for (std::size_t i = 0; i < table.series.columns.size(); ++i)
-    expect_same(table.series.columns[i], result.series.columns[i]);
+  expect_same_bits(read_table(folder / "run.dat").series, result.series);
+  expect_same_bits(result.series, example_result().series);
 }
 
 TEST(GnuplotTable, SaysWhereItComesFrom) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grains/assembly.hpp"
+#include "record/series.hpp"
 
 namespace flowslide {
 
@@ -14,6 +15,21 @@ void expect_same_bits(const std::vector<T>& left, const std::vector<T>& right, c
   ASSERT_EQ(left.size(), right.size()) << name;
   if (left.empty()) return;
   EXPECT_EQ(std::memcmp(left.data(), right.data(), left.size() * sizeof(T)), 0) << name;
+}
+
+inline void expect_same_bits(const Column& left, const Column& right) {
+  EXPECT_EQ(left.name, right.name);
+  EXPECT_EQ(left.symbol, right.symbol);
+  EXPECT_EQ(left.units, right.units);
+  EXPECT_EQ(left.long_name, right.long_name);
+  EXPECT_EQ(left.sign_convention, right.sign_convention);
+  expect_same_bits(left.values, right.values, left.name.c_str());
+}
+
+inline void expect_same_bits(const Series& left, const Series& right) {
+  expect_same_bits(left.axis, right.axis);
+  ASSERT_EQ(left.columns.size(), right.columns.size());
+  for (std::size_t i = 0; i < left.columns.size(); ++i) expect_same_bits(left.columns[i], right.columns[i]);
 }
 
 inline void expect_same_bits(const Assembly& left, const Assembly& right) {

@@ -14,7 +14,7 @@
 #include "damage.hpp"
 #include "example.hpp"
 #include "full_disk.hpp"
-#include "same_assembly.hpp"
+#include "same_bits.hpp"
 #include "temporary_folder.hpp"
 
 namespace flowslide {
