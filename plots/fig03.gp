@@ -37,7 +37,7 @@ do for [format in "png pdf"] {
   set lmargin at screen 0.745; set rmargin at screen 0.985
   set title panel("C", "inertial number")
   set ylabel "inertial number {/:Italic I}" offset 0.5
-  set logscale y; set format y "10^{%T}"; set yrange [* < 1e-4:1e-2 < *]
+  set logscale y; set format y "10^{%T}"; set yrange [5e-5:*]
   set arrow 1 from graph 0, first threshold to graph 1, first threshold nohead linewidth 1 dashtype 2 linecolor rgb black
   set label 1 "10^{−3}" at graph 1, first threshold offset -0.3, 0.5 right
   plot for [i = 1:4] table(i) using (percent * column(column_strain)):(column(column_inertial)) \
