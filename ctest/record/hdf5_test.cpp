@@ -10,10 +10,6 @@
 
 #include "damage.hpp"
 
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
-
 namespace flowslide::hdf5 {
 namespace {
 
@@ -141,16 +137,10 @@ TEST(Hdf5, TwoFilesOfOneNameStayApart) {
   EXPECT_EQ(second.root().read_number("x"), 2.0);
 }
 
-TEST(Hdf5, SurvivesDamagedBytesWithoutASeal) {
-#ifdef __SANITIZE_ADDRESS__
-  // HDF5 1.10 itself loses a few hundred bytes over some damaged files; sealed files never get that far.
-  const __lsan::ScopedDisabler leaks_of_the_library;
-#endif
-  auto file = File::create("test");
-  file.root().write<double>("x", std::vector<double>(100, 1.0), {50, 2});
-  file.root().write_text("words", "x").set_attribute("units", "m");
+/// How many damaged forms of a file are refused.
+std::size_t count_refused(const std::string& image) {
   std::size_t refused = 0;
-  for (const auto& bytes : damaged(file.image())) {
+  for (const auto& bytes : damaged(image)) {
     const auto message = message_of([&] {
       const auto opened = File::open(bytes, "test");
       opened.root().read<double>("x", {Group::any, 2});
@@ -159,7 +149,16 @@ TEST(Hdf5, SurvivesDamagedBytesWithoutASeal) {
     });
     refused += message != "no error";
   }
-  EXPECT_GT(refused, 100);  // at least the truncated ones; a flipped bit in the numbers is the seal's to find
+  return refused;
+}
+
+TEST(Hdf5DeathTest, SurvivesDamagedBytesWithoutASeal) {
+  auto file = File::create("test");
+  file.root().write<double>("x", std::vector<double>(100, 1.0), {50, 2});
+  file.root().write_text("words", "x").set_attribute("units", "m");
+  // At least the truncated ones are refused; a bit flipped in the numbers is the seal's to find. In a process of its
+  // own: HDF5 1.10 itself loses some memory over damaged files, which a leak checker would report.
+  EXPECT_EXIT(::_exit(count_refused(file.image()) > 100 ? 0 : 1), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
