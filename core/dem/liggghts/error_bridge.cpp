@@ -31,7 +31,10 @@ std::string message(const char* text) {
 }
 
 /// An error that every rank reports together.
-[[noreturn]] void fail_together(const char* text) { throw EngineError(message(text)); }
+[[noreturn]] void fail_together(const char* text) {
+  ++liggghts_activity().errors;
+  throw EngineError(message(text));
+}
 
 /// An error of one rank: the others wait in a collective call, so only ending all of them ends the run.
 [[noreturn]] void fail_alone(const char* text) {

@@ -9,6 +9,7 @@ namespace flowslide {
 struct LiggghtsActivity {
   std::string doing = "starting";
   std::filesystem::path log;
+  int errors = 0;  ///< reported so far in this process
 };
 LiggghtsActivity& liggghts_activity();
 

@@ -74,6 +74,7 @@ int mpi_ranks() {
 
 LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(log)) {
   ensure_mpi();
+  errors_before_ = liggghts_activity().errors;
   if (idle().empty()) {
     enter("starting");
     instance_ = start();
@@ -85,9 +86,15 @@ LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(l
   command("log \"" + log_.string() + "\"");
 }
 
-LiggghtsInstance::~LiggghtsInstance() { idle().emplace_back(instance_); }
+LiggghtsInstance::~LiggghtsInstance() {
+  // After an error LIGGGHTS expects the process to end, and what it holds is in no state to be cleared or deleted.
+  if (liggghts_activity().errors == errors_before_) idle().emplace_back(instance_);
+}
 
-void LiggghtsInstance::enter(std::string activity) const { liggghts_activity() = {std::move(activity), log_}; }
+void LiggghtsInstance::enter(std::string activity) const {
+  liggghts_activity().doing = std::move(activity);
+  liggghts_activity().log = log_;
+}
 
 void LiggghtsInstance::command(const std::string& line) {
   enter("command '" + line + "'");

@@ -28,6 +28,7 @@ class LiggghtsInstance {
 
  private:
   std::filesystem::path log_;
+  int errors_before_ = 0;
   LAMMPS_NS::LAMMPS* instance_ = nullptr;
 };
 

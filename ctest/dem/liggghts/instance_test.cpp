@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/liggghts/instance.hpp"
+
+#include <gtest/gtest.h>
+#include <lammps.h>
+#include <update.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "dem/engine.hpp"
+
+namespace flowslide {
+namespace {
+
+TEST(Instance, CommandsReachTheirOwnSimulation) {
+  LiggghtsInstance one(testing::TempDir() + "one.log"), two(testing::TempDir() + "two.log");
+  one.command("timestep 0.25");
+  two.command("timestep 0.5");
+  EXPECT_EQ(one->update->dt, 0.25);
+  EXPECT_EQ(two->update->dt, 0.5);
+}
+
+TEST(Instance, AUsedInstanceComesBackClean) {
+  const double fresh = LiggghtsInstance(testing::TempDir() + "one.log")->update->dt;
+  { LiggghtsInstance used(testing::TempDir() + "one.log"); used.command("timestep 0.125"); }
+  EXPECT_EQ(LiggghtsInstance(testing::TempDir() + "one.log")->update->dt, fresh);
+}
+
+TEST(Instance, WritesItsLogAlsoWhereThePathHasBlanks) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "with blanks";
+  std::filesystem::create_directories(folder);
+  { LiggghtsInstance instance(folder / "a log.txt"); instance.command("print \"here it is\""); }
+  LiggghtsInstance other(testing::TempDir() + "one.log");  // takes the instance and closes the first log
+  std::ifstream log(folder / "a log.txt");
+  const std::string text(std::istreambuf_iterator<char>(log), {});
+  EXPECT_NE(text.find("here it is"), std::string::npos);
+}
+
+TEST(Instance, SaysWhichLogCannotBeWritten) {
+  try {
+    LiggghtsInstance instance("/dev/null/no/log.txt");
+    FAIL() << "a log below a file";
+  } catch (const EngineError& error) {
+    EXPECT_NE(std::string(error.what()).find("/dev/null/no/log.txt"), std::string::npos);
+  }
+}
+
+TEST(Instance, KnowsItsPlaceAmongTheRanks) {
+  EXPECT_GE(mpi_rank(), 0);
+  EXPECT_LT(mpi_rank(), mpi_ranks());
+}
+
+}  // namespace
+}  // namespace flowslide
