@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 namespace flowslide {
 
@@ -32,11 +30,6 @@ std::string canonical(std::string_view text) {
     }
   }
   return quoted + '"';
-}
-
-std::string hash_of_text(std::string_view text) {
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
 }  // namespace flowslide

@@ -16,7 +16,4 @@ std::string canonical(bool value);
 std::string canonical(std::string_view text);
 std::string canonical(const char* text) = delete;
 
-/// XXH3 of 128 bits as 32 hexadecimal digits.
-std::string hash_of_text(std::string_view text);
-
 }  // namespace flowslide

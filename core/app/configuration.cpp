@@ -10,6 +10,7 @@
 #include "app/error.hpp"
 #include "app/nearest.hpp"
 #include "app/value_check.hpp"
+#include "record/hash.hpp"
 
 namespace flowslide {
 Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
@@ -197,6 +198,6 @@ std::string Configuration::resolved() const {
   return text;
 }
 
-std::string Configuration::hash() const { return hash_of_text(resolved()); }
+std::string Configuration::hash() const { return hash_of(resolved()); }
 
 }  // namespace flowslide

@@ -14,7 +14,7 @@ namespace flowslide {
 struct Result {
   Provenance provenance;
   std::string configuration;        ///< resolved, as text
-  std::string configuration_hash;   ///< of that text, see sha256.hpp
+  std::string configuration_hash;   ///< of that text, see hash.hpp
   Series series;
   std::vector<Metric> metrics;
 };

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "record/sha256.hpp"
+#include "record/hash.hpp"
 
 namespace flowslide {
 namespace {
 
-std::string seal_of(std::string_view content) { return "\nflowslide sha256 " + sha256(content) + "\n"; }
+std::string seal_of(std::string_view content) { return "\nflowslide xxh3 " + hash_of(content) + "\n"; }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ std::string read_sealed(const std::filesystem::path& path, std::string_view mend
   if (bytes.size() < seal_size) refuse("is truncated");
   const std::string seal = bytes.substr(bytes.size() - seal_size);
   bytes.resize(bytes.size() - seal_size);
-  if (!seal.starts_with("\nflowslide sha256 ")) refuse("is truncated, altered or not a file of flowslide");
+  if (!seal.starts_with("\nflowslide xxh3 ")) refuse("is truncated, altered or not a file of flowslide");
   if (seal != seal_of(bytes)) refuse("is damaged: its checksum does not fit its content");
   return bytes;
 }

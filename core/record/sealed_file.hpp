@@ -9,9 +9,9 @@
 
 namespace flowslide {
 
-/// Bytes that `write_sealed` puts behind the content: "\nflowslide sha256 <64 digits>\n". HDF5 ignores them, and
-/// `head -c -83 FILE | sha256sum` repeats the check by hand.
-inline constexpr std::size_t seal_size = 83;
+/// Bytes that `write_sealed` puts behind the content: "\nflowslide xxh3 <32 digits>\n". HDF5 ignores them, and
+/// `head -c -49 FILE | xxhsum -H128` repeats the check by hand.
+inline constexpr std::size_t seal_size = 49;
 
 /// Writes `content` and its seal, whole or not at all. Throws as write_atomically.
 void write_sealed(const std::filesystem::path& path, std::string_view content, IfExists if_exists);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "damage.hpp"
-#include "record/sha256.hpp"
+#include "record/hash.hpp"
 #include "temporary_folder.hpp"
 
 namespace flowslide {
@@ -16,7 +16,7 @@ TEST(SealedFile, GivesBackItsContent) {
   write_sealed(folder / "file", content, IfExists::refuse);
   EXPECT_EQ(read_sealed(folder / "file", "delete it"), content);
   EXPECT_EQ(read_file(folder / "file").size(), content.size() + seal_size);
-  EXPECT_EQ(read_file(folder / "file"), content + "\nflowslide sha256 " + sha256(content) + "\n");
+  EXPECT_EQ(read_file(folder / "file"), content + "\nflowslide xxh3 " + hash_of(content) + "\n");
   write_sealed(folder / "empty", "", IfExists::refuse);
   EXPECT_EQ(read_sealed(folder / "empty", "delete it"), "");
 }
