@@ -60,7 +60,7 @@ progress_line() {
   local left=$(($3 - SECONDS + $4)) done_points
   done_points=$(find "$scratch" -type f | wc -l)
   printf '%s: %d of %d points done, %s' "$1" "$done_points" "$(wc -l <<<"$2")" \
-    "$( ((left > 0)) && echo "about $(duration "$left") left" || echo "longer than predicted")"
+    "$( ((left > 0)) && echo "about $(duration "$left") left" || echo "longer than predicted: samples are being prepared")"
 }
 
 # run_points NAME POINTS JOBS COMMAND...: runs COMMAND --point POINT for each, JOBS side by side. Exits with the code of
