@@ -26,6 +26,7 @@ void on_first_rank(const std::function<void()>& action) {
 }
 
 bool same_on_all_ranks(bool value) {
+  ensure_mpi();
   int number = value ? 1 : 0;
   MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return number != 0;
