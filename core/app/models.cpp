@@ -11,10 +11,12 @@ namespace {
 
 /// Room between the seeds of two replicates for the trials of a search.
 constexpr std::int64_t seeds_per_replicate = 1000;
+/// Of a lattice along one axis: the number of its grains is an int.
+constexpr int most_sites = 1000;
 
 LatticePacking read_packing(const Configuration& configuration) {
   LatticePacking packing;
-  const auto counts = configuration.integers("packing.lattice", Range::at_least(3));
+  const auto counts = configuration.integers("packing.lattice", Range::between(3, most_sites));
   if (counts.size() != 3)
     configuration.refuse("packing.lattice", "a lattice has three counts", "write it as [20, 20, 22]");
   for (int axis = 0; axis < 3; ++axis) packing.counts[axis] = static_cast<int>(counts[axis]);
