@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/element_test.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "grains/kinetic_stress.hpp"
 #include "grains/measures.hpp"
@@ -12,6 +15,9 @@
 
 namespace flowslide {
 namespace {
+
+/// Steps that no computer ever takes, and that a double still counts one by one.
+constexpr double most_steps = 1e15;
 
 std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate) {
   const Material& material = sample.settings().material;
@@ -40,7 +46,12 @@ std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, do
 }  // namespace
 
 std::int64_t ElementTest::steps(double time_step) const {
-  return std::max<std::int64_t>(1, std::llround(final_strain / (shear_rate * time_step)));
+  const double exact = final_strain / (shear_rate * time_step);
+  if (!(exact >= 0.0 && exact <= most_steps))
+    throw std::invalid_argument(fmt::format(
+        "a strain of {} at the rate {} 1/s in time steps of {} s takes {:.3g} of them; it must be 0 to {:.0e}: shear "
+        "faster", final_strain, shear_rate, time_step, exact, most_steps));
+  return std::max<std::int64_t>(1, std::llround(exact));
 }
 
 std::vector<std::int64_t> ElementTest::row_steps(double time_step) const {

@@ -14,7 +14,7 @@ struct ElementTest {
   double final_strain = 0.5;     ///< gamma
   int rows = 500;                ///< of the record; closer together at the start, where the peak is
 
-  /// Steps in all, with a time step in s.
+  /// Steps in all, with a time step in s. Throws std::invalid_argument for more than can be counted.
   std::int64_t steps(double time_step) const;
   /// Steps at which the rows are taken: gamma = final_strain (k/rows)^2, rounded, each at least one step after the
   /// other, from 0 on.
