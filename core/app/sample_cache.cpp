@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "app/canonical.hpp"
 #include "app/ranks.hpp"
+#include "record/hash.hpp"
 #include "record/sample_store.hpp"
 
 namespace flowslide {
@@ -19,7 +19,7 @@ constexpr std::int64_t typical_steps = 200'000;
 double metric(const StoredSample& stored, const std::string& name) {
   for (const Metric& candidate : stored.metrics)
     if (candidate.name == name) return candidate.value;
-  throw CorruptFileError("a cached sample has no '" + name + "': it was written by another version; delete the cache");
+  throw CorruptFileError("has no '" + name + "': it is of another version; delete it, and it will be prepared again");
 }
 
 StoredSample stored(const PreparedSample& sample, const std::string& recipe) {
@@ -70,7 +70,7 @@ std::filesystem::path sample_cache_folder() {
 }
 
 std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
-  return hash_of_text(recipe.text() + "engine = " + engine + "\n");
+  return hash_of(recipe.text() + "engine = " + engine + "\n");
 }
 
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification,
@@ -85,7 +85,11 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
     std::optional<FileLock> lock;
     on_first_rank([&] { lock.emplace(store->lock(key)); });
     if (const auto kept = store->find(key)) {
-      found.sample = prepared(*kept);
+      try {
+        found.sample = prepared(*kept);
+      } catch (const CorruptFileError& error) {
+        throw CorruptFileError(store->path(key).string() + " " + error.what());
+      }
     } else {
       found.sample = prepare_with_progress(engine, recipe, fmt::format("sample {} (e0 {} wanted), trial {}",
                                                                        specification.name,

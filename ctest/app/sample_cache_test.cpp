@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/sample_cache.hpp"
+
+#include <stdlib.h>
+
+#include <set>
+
+#include "app/error.hpp"
+#include "elastic_block.hpp"
+#include "messages.hpp"
+#include "record/sample_store.hpp"
+#include "sample/failure.hpp"
+
+namespace flowslide {
+namespace {
+
+namespace fs = std::filesystem;
+
+SampleSpecification specification(double void_ratio, double tolerance = 0.02, int most_trials = 10) {
+  SampleSpecification wanted{"loose", {}, {void_ratio, tolerance, most_trials}};
+  wanted.recipe.packing.counts = {3, 3, 4};
+  return wanted;
+}
+
+/// mu_1 = 0.3 ends at 0.72 + 0.045 - 0.015 = 0.75 +- 0.01: within +- 0.02 at once.
+const SampleSpecification easy = specification(0.75);
+
+class SampleCache : public testing::Test {
+ protected:
+  FoundSample find(Engine& engine, const SampleSpecification& wanted = easy) const {
+    ProgressStyle style;
+    style.silent = true;
+    return find_sample(engine, wanted, folder(), style);
+  }
+  fs::path folder() const { return scratch_.path() / "cache"; }
+  /// The samples that are kept.
+  std::vector<fs::path> files() const {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder()))
+      if (entry.path().extension() == ".h5") found.push_back(entry.path());
+    return found;
+  }
+  /// What a program says that ends as `find` does, and its exit code.
+  std::pair<int, std::string> end(Engine& engine, const SampleSpecification& wanted = easy) const {
+    testing::internal::CaptureStderr();
+    const int code = run_main([&] {
+      find(engine, wanted);
+      return 0;
+    });
+    return {code, testing::internal::GetCapturedStderr()};
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(SampleCache, PreparesASampleAndKeepsIt) {
+  ElasticBlock engine;
+  const FoundSample found = find(engine);
+  EXPECT_EQ(engine.preparations(), 1);
+  EXPECT_EQ(found.trials, 1);
+  EXPECT_EQ(found.recipe.text(), easy.recipe.text());
+  EXPECT_NEAR(found.sample.void_ratio, 0.75, 0.02);
+  EXPECT_NEAR(found.sample.stress.normal, 28340.0, 4e-3 * 28340.0);  // four stress tolerances: what rest() allows
+  EXPECT_EQ(found.sample.steps, engine.steps());
+  ASSERT_EQ(files().size(), 1U);
+  EXPECT_EQ(files()[0].stem(), cache_key(easy.recipe, "block 1"));
+}
+
+TEST_F(SampleCache, FindsItAgainWithoutAStep) {
+  ElasticBlock first, second;
+  const FoundSample made = find(first), found = find(second);
+  EXPECT_EQ(second.preparations(), 0);
+  EXPECT_EQ(second.steps(), 0);
+  EXPECT_EQ(found.trials, made.trials);
+  EXPECT_EQ(found.recipe.text(), made.recipe.text());
+  // Bit for bit: what a run starts from must not depend on who prepared it.
+  EXPECT_EQ(found.sample.void_ratio, made.sample.void_ratio);
+  EXPECT_EQ(found.sample.bulk_void_ratio, made.sample.bulk_void_ratio);
+  EXPECT_EQ(found.sample.kinetic_number, made.sample.kinetic_number);
+  EXPECT_EQ(found.sample.steps, made.sample.steps);
+  EXPECT_EQ(found.sample.stress.normal, made.sample.stress.normal);
+  EXPECT_EQ(found.sample.stress.shear, made.sample.stress.shear);
+  EXPECT_EQ(found.sample.stress.transverse, made.sample.stress.transverse);
+  EXPECT_EQ(found.sample.stress.lateral_x, made.sample.stress.lateral_x);
+  EXPECT_EQ(found.sample.stress.lateral_y, made.sample.stress.lateral_y);
+  EXPECT_EQ(found.sample.assembly.position, made.sample.assembly.position);
+  EXPECT_EQ(found.sample.assembly.role, made.sample.assembly.role);
+  EXPECT_EQ(found.sample.assembly.cell.upper, made.sample.assembly.cell.upper);
+}
+
+TEST_F(SampleCache, KeepsEveryTrialOfASearch) {
+  // 0.03 above the law at mu_1 = 0.3, about which packings scatter by 0.01: the first trial cannot fit.
+  const SampleSpecification far = specification(0.78, 0.006, 30);
+  ElasticBlock first, second;
+  const FoundSample made = find(first, far);
+  ASSERT_GT(made.trials, 1);
+  EXPECT_NEAR(made.sample.void_ratio, 0.78, 0.006);
+  EXPECT_GT(made.recipe.preparation_friction, 0.3);
+  EXPECT_EQ(made.recipe.packing.seed, far.recipe.packing.seed + static_cast<std::uint64_t>(made.trials) - 1);
+  EXPECT_EQ(first.preparations(), made.trials);
+  EXPECT_EQ(files().size(), static_cast<std::size_t>(made.trials));
+
+  const FoundSample found = find(second, far);
+  EXPECT_EQ(second.steps(), 0);
+  EXPECT_EQ(found.trials, made.trials);
+  EXPECT_EQ(found.recipe.text(), made.recipe.text());
+  EXPECT_EQ(found.sample.void_ratio, made.sample.void_ratio);
+}
+
+TEST_F(SampleCache, PreparesAgainForAnotherEngine) {
+  ElasticBlock one("1"), two("2");
+  find(one);
+  find(two);
+  EXPECT_EQ(two.preparations(), 1);
+  EXPECT_EQ(files().size(), 2U);
+}
+
+TEST_F(SampleCache, SaysHowNearItCameWhenASearchFails) {
+  // The law ends below 0.82: no friction opens a void ratio of 0.95.
+  const SampleSpecification impossible = specification(0.95, 0.002, 3);
+  ElasticBlock first, second;
+  const auto [code, message] = end(first, impossible);
+  EXPECT_EQ(code, 3);
+  EXPECT_CONTAINS(message, "flowslide: no sample with the void ratio 0.95 +- 0.002 in 3 trials; the nearest has 0.");
+  EXPECT_CONTAINS(message, "A larger drag opens looser samples");
+  EXPECT_EQ(first.preparations(), 3);
+  EXPECT_EQ(end(second, impossible).second, message);  // from the cache: the same again, without a step
+  EXPECT_EQ(second.steps(), 0);
+}
+
+TEST_F(SampleCache, RefusesATargetThatNoPackingHasBeforeAnyStep) {
+  ElasticBlock engine;
+  const auto [code, message] = end(engine, specification(0.3));
+  EXPECT_EQ(code, 2);
+  EXPECT_CONTAINS(message, "the void ratio 0.3 cannot be reached: packings of spheres at rest lie between 0.55 and 1");
+  EXPECT_EQ(engine.steps(), 0);
+}
+
+TEST_F(SampleCache, NeverUsesADamagedSample) {
+  ElasticBlock engine, other;
+  find(engine);
+  const fs::path file = files().at(0);
+  const std::string whole = content_of(file);
+  std::string flipped = whole;
+  flipped[flipped.size() / 2] ^= 1;
+  for (const std::string& damaged : {flipped, whole.substr(0, whole.size() / 2), std::string()}) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
+    const auto [code, message] = end(other);
+    EXPECT_EQ(code, 2);
+    EXPECT_CONTAINS(message, "flowslide: " + file.string());
+    EXPECT_CONTAINS(message, "delete it, and the sample will be prepared again");
+    EXPECT_EQ(other.steps(), 0);
+    EXPECT_EQ(content_of(file), damaged);  // left as it is, for the user to look at
+  }
+  fs::remove(file);
+  EXPECT_EQ(end(other).first, 0);
+  EXPECT_EQ(other.preparations(), 1);
+}
+
+TEST_F(SampleCache, NamesTheFileOfAnotherVersion) {
+  const std::string key = cache_key(easy.recipe, "block 1");
+  Assembly assembly;
+  assembly.resize(1);
+  SampleStore(folder()).put(key, {"recipe", assembly, {{"void_ratio", 0.75, "1", "void ratio"}}});
+  ElasticBlock engine;
+  const auto [code, message] = end(engine);
+  EXPECT_EQ(code, 2);
+  EXPECT_CONTAINS(message, (folder() / (key + ".h5")).string());
+  EXPECT_CONTAINS(message, "delete it");
+}
+
+TEST_F(SampleCache, RefusesAFolderThatCannotBe) {
+  const fs::path file = scratch_.write("file", "text");
+  ElasticBlock engine;
+  const std::string message = message_of<FileError>([&] {
+    ProgressStyle style;
+    style.silent = true;
+    find_sample(engine, easy, file / "cache", style);
+  });
+  EXPECT_CONTAINS(message, (file / "cache").string());
+  EXPECT_EQ(engine.steps(), 0);
+}
+
+TEST_F(SampleCache, ShowsItsProgress) {
+  ElasticBlock engine;
+  std::ostringstream lines;
+  ProgressStyle style;
+  style.stream = &lines;
+  find_sample(engine, easy, folder(), style);
+  EXPECT_CONTAINS(lines.str(), "sample loose (e0 0.75 wanted), trial 1");
+  EXPECT_CONTAINS(lines.str(), "e0 = 0.7");
+}
+
+TEST(CacheKey, IsOfThirtyTwoHexadecimalDigits) {
+  const std::string key = cache_key(easy.recipe, "block 1");
+  EXPECT_EQ(key.size(), 32U);
+  EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_EQ(cache_key(easy.recipe, "block 1"), key);
+}
+
+TEST(CacheKey, DiffersByTheEngineAndByEveryPartOfTheRecipe) {
+  std::set<std::string> keys{cache_key({}, "a"), cache_key({}, "b"), cache_key({}, "a 1")};
+  ASSERT_EQ(keys.size(), 3U);
+  const std::function<void(SampleRecipe&)> changes[] = {
+      [](SampleRecipe& r) { r.packing.counts[2] = 23; },
+      [](SampleRecipe& r) { r.packing.smallest_diameter = 4.9e-3; },
+      [](SampleRecipe& r) { r.packing.largest_diameter = 7.6e-3; },
+      [](SampleRecipe& r) { r.packing.spacing = 1.2; },
+      [](SampleRecipe& r) { r.packing.jitter = 0.03; },
+      [](SampleRecipe& r) { r.packing.seed = 2; },
+      [](SampleRecipe& r) { r.material.density = 2651.0; },
+      [](SampleRecipe& r) { r.material.youngs_modulus = 3e9; },
+      [](SampleRecipe& r) { r.material.poisson_ratio = 0.26; },
+      [](SampleRecipe& r) { r.material.restitution = 0.7; },
+      [](SampleRecipe& r) { r.material.sliding_friction = 0.51; },
+      [](SampleRecipe& r) { r.material.rolling_friction = 0.2; },
+      [](SampleRecipe& r) { r.material.rolling_stiffness = 2.0; },
+      [](SampleRecipe& r) { r.material.rolling_viscous_damping = 0.3; },
+      [](SampleRecipe& r) { r.normal_stress = std::nextafter(r.normal_stress, 0.0); },
+      [](SampleRecipe& r) { r.shear_stress = 0.0; },
+      [](SampleRecipe& r) { r.preparation_friction = 0.31; },
+      [](SampleRecipe& r) { r.drag = 0.031; },
+      [](SampleRecipe& r) { r.time_step = 9e-6; },
+      [](SampleRecipe& r) { r.loose_void_ratio = 1.3; },
+      [](SampleRecipe& r) { r.compaction_rate = 2.0; },
+      [](SampleRecipe& r) { r.servo_rates[1] = 0.11; },
+      [](SampleRecipe& r) { r.servo_interval = 31; },
+      [](SampleRecipe& r) { r.stress_tolerance = 2e-3; },
+      [](SampleRecipe& r) { r.kinetic_tolerance = 2e-8; },
+  };
+  for (const auto& change : changes) {
+    SampleRecipe recipe;
+    change(recipe);
+    EXPECT_TRUE(keys.insert(cache_key(recipe, "a")).second) << recipe.text();
+  }
+}
+
+TEST(SampleCacheFolder, IsToldByTheEnvironment) {
+  ::setenv("FLOWSLIDE_CACHE", "/somewhere/else", 1);
+  EXPECT_EQ(sample_cache_folder(), "/somewhere/else");
+  ::setenv("FLOWSLIDE_CACHE", "", 1);
+  EXPECT_EQ(sample_cache_folder(), "cache");
+  ::unsetenv("FLOWSLIDE_CACHE");
+  EXPECT_EQ(sample_cache_folder(), "cache");
+}
+
+}  // namespace
+}  // namespace flowslide
