@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "app/canonical.hpp"
 #include "app/claims.hpp"
 #include "app/error.hpp"
 #include "app/ranks.hpp"
@@ -49,6 +50,8 @@ class CaseProgram {
     for (const Point& point : points) all.push_back(point.name);
     return all;
   }
+  /// As JSON has it, too.
+  static std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
   bool first_rank() const { return mpi_rank() == 0; }
 
   int list() const {
@@ -63,10 +66,10 @@ class CaseProgram {
       }
       std::string figures;
       for (const std::string& figure : point.figures)
-        figures += fmt::format("{}\"{}\"", figures.empty() ? "" : ", ", figure);
-      text += fmt::format("{}\n  {{\"name\": \"{}\", \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
-                          "\"description\": \"{}\"}}", first ? "" : ",", point.name, figures,
-                          point.predicted_seconds, point.description);
+        figures += (figures.empty() ? "" : ", ") + quoted(figure);
+      text += fmt::format("{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
+                          "\"description\": {}}}", first ? "" : ",", quoted(point.name), figures,
+                          point.predicted_seconds, quoted(point.description));
       first = false;
     }
     std::cout << text << (options_.json ? "\n]}\n" : "");
@@ -74,13 +77,14 @@ class CaseProgram {
   }
 
   int plan() const {
-    if (!first_rank()) return to_int(ExitCode::ok);
-    std::cout << "# resolved configuration, hash " << configuration_.hash() << "\n" << configuration_.resolved();
+    std::ostream nowhere(nullptr);
+    std::ostream& out = first_rank() ? std::cout : nowhere;
+    out << "# resolved configuration, hash " << configuration_.hash() << "\n" << configuration_.resolved();
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
-      std::cout << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
-                               duration_text(point.predicted_seconds));
-      case_.print_plan(point, std::cout);
+      out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
+                         duration_text(point.predicted_seconds));
+      case_.print_plan(point, out);
     }
     return to_int(ExitCode::ok);
   }
@@ -92,7 +96,11 @@ class CaseProgram {
     on_first_rank([&] {
       output.emplace(OutputFolder::open(options_.output, case_.description().name));
       output->begin_point(point.name, hash);
-      complete = is_complete(output->file(point.name + ".h5"), hash);
+      const auto file = output->file(point.name + ".h5");
+      complete = is_complete(file, hash);
+      if (!complete && std::filesystem::exists(file))  // not to be found out when the run is over
+        throw ConfigurationError(fmt::format("{} is damaged or of another configuration; delete it and run that point "
+                                             "again", file.string()));
     });
     complete = same_on_all_ranks(complete);
     if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_.description().name));
@@ -123,7 +131,10 @@ class CaseProgram {
     std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     const std::vector<Verdict> verdicts = evaluate(claims, metrics);
-    if (verdicts.empty()) return to_int(ExitCode::ok);
+    if (verdicts.empty()) {
+      if (options_.json) std::cout << json(verdicts);
+      return to_int(ExitCode::ok);
+    }
     write_atomically(output.file("claims.md"), markdown_table(verdicts));
     write_atomically(output.file("claims.json"), json(verdicts));
     std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts));

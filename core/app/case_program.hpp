@@ -40,7 +40,8 @@ class Case {
   /// Reads all that the configuration may hold. Called once, before the rest.
   virtual void read(const Configuration& configuration) = 0;
   virtual std::vector<Point> points() const = 0;
-  /// What a point would do: engine commands, steps, time. For --dry-run.
+  /// What a point would do: engine commands, steps, time. For --dry-run. Collective over the MPI
+  /// ranks, as engines are made by all of them; `out` shows what the first writes.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
   /// Runs a point and writes its files. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;
