@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace flowslide {
 namespace {
@@ -136,6 +137,8 @@ std::vector<Metric> curve_metrics(const Series& series, double initial_normal_st
   add_liquefaction(metrics, record);
   add_rates(metrics, record);
   add_formulas(metrics, record);
+  // A quotient or mean of nothing; kept, it would forbid to write the whole result.
+  std::erase_if(metrics, [](const Metric& metric) { return !std::isfinite(metric.value); });
   return metrics;
 }
 
