@@ -25,7 +25,7 @@ do for [format in "png pdf"] {
   set title panel("A", "stress path")
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
-  set xrange [0:30]; set yrange [0:*]
+  set xrange [0:30 < *]; set yrange [0:*]
   set offsets 0, 0, graph 0.25, 0   # room for the key
   set key at graph 0.02, 1 left top Left reverse
   plot for [i = 1:2] table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
@@ -35,7 +35,7 @@ do for [format in "png pdf"] {
 
   set title panel("B", "stress-strain response")
   set xlabel "shear strain {/:Italic γ} (%)"
-  set xrange [0:*]
+  set xrange [0:*] noextend
   unset key
   plot for [i = 1:2] table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
