@@ -65,7 +65,8 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
     const double number = configuration.number(table + "inertial_number", Range::positive());
     const double mean_diameter = lattice_packing(recipe.packing).mean_diameter();
     curve.test.shear_rate = shear_rate_for(number, mean_diameter, material_.density, recipe.normal_stress);
-    configuration.accept(table + "shear_rate");
+    if (configuration.has(table + "shear_rate"))
+      configuration.refuse(table + "inertial_number", "the shear rate is given as well", "leave one of them out");
   } else {
     curve.test.shear_rate = configuration.quantity(table + "shear_rate", dimension::rate, Range::positive());
   }

@@ -122,10 +122,7 @@ class CaseProgram {
   int check() const {
     if (!first_rank()) return to_int(ExitCode::ok);
     const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
-    std::vector<std::string> present;
-    for (const Point& point : points_)
-      if (chosen_.contains(point.name) && std::filesystem::exists(output.file(point.name + ".h5")))
-        present.push_back(point.name);
+    const std::vector<std::string> present = results_in(output);
     case_.finish(output);
     const auto metrics = case_.metrics(output.path(), present);
     std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
@@ -139,6 +136,21 @@ class CaseProgram {
     write_atomically(output.file("claims.json"), json(verdicts));
     std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts));
     return to_int(all_met(verdicts) ? ExitCode::ok : ExitCode::claim_not_met);
+  }
+
+  /// The chosen points whose results are there. They must be of this configuration.
+  std::vector<std::string> results_in(const OutputFolder& output) const {
+    std::vector<std::string> present;
+    for (const Point& point : points_) {
+      if (!chosen_.contains(point.name) || !std::filesystem::exists(output.file(point.name + ".h5"))) continue;
+      if (const std::string hash = output.hash_of(point.name); hash != configuration_.hash())
+        throw ConfigurationError(fmt::format(
+            "the results of {} in {} were made with the configuration {}, not with this one, {}; give --check the options "
+            "they were made with, or choose their folder with --output",
+            point.name, output.path().string(), hash, configuration_.hash()));
+      present.push_back(point.name);
+    }
+    return present;
   }
 
   /// Whether a claim is about a figure that one of the chosen points belongs to.

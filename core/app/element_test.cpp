@@ -90,10 +90,10 @@ Series element_test_series() {
 Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe) {
   Series series = element_test_series();
   const double time_step = sample.settings().time_step;
-  sample.start_linear_velocity_field(test.shear_rate);
   std::int64_t done = 0;
   for (const std::int64_t at : test.row_steps(time_step)) {
-    sample.strain({test.shear_rate, 0.0}, at - done);
+    if (at > 0 && done == 0) sample.start_linear_velocity_field(test.shear_rate);  // the first row is at rest
+    if (at > done) sample.strain({test.shear_rate, 0.0}, at - done);
     done = at;
     const Assembly assembly = sample.assembly();
     const auto values = row(sample, assembly, test.shear_rate);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/models.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "app/error.hpp"
@@ -107,12 +109,12 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
 
 void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
                      const Material& material) {
-  try {
-    validate_time_step(configuration.quantity(key, dimension::time, Range::positive()), 0.5 * smallest_diameter,
-                       material);
-  } catch (const std::invalid_argument& error) {
-    configuration.refuse(key, error.what(), "see the limit");
-  }
+  const double limit = longest_time_step(0.5 * smallest_diameter, material);
+  if (configuration.quantity(key, dimension::time, Range::positive()) > limit)
+    configuration.refuse(key,
+                         fmt::format("is too long for DEM: at most {:.3g} s, which is {} of the Rayleigh time of the "
+                                     "smallest grain", limit, largest_share_of_rayleigh_time),
+                         "choose a smaller step, or larger or softer grains");
 }
 
 }  // namespace flowslide

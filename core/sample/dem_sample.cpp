@@ -21,8 +21,10 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
 void DemSample::start_linear_velocity_field(double shear_rate) {
   Assembly assembly = engine_.save();
   for (std::size_t i = 0; i < assembly.size(); ++i)
-    if (assembly.role[i] == Role::mobile)
+    if (assembly.role[i] == Role::mobile) {
       assembly.velocity[i].x() += shear_rate * (assembly.position[i].z() - assembly.cell.lower.z());
+      assembly.spin[i].y() += 0.5 * shear_rate;
+    }
   engine_.load(assembly, engine_.settings());
 }
 

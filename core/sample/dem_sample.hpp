@@ -13,8 +13,9 @@ class DemSample : public Sample {
   /// not possible.
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
-  /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height, on top of its own: a
-  /// sudden start of the top alone would send a wave through the sample.
+  /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height, on top of its own, and
+  /// the spin of that field, half its curl: a sudden start of the top alone would send a wave through the sample, and
+  /// grains without spin would all be twisted at once.
   void start_linear_velocity_field(double shear_rate);
 
   CellStress strain(const StrainRate& rate, std::int64_t steps) override;

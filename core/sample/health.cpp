@@ -12,14 +12,17 @@
 
 namespace flowslide {
 
+double longest_time_step(double smallest_radius, const Material& material) {
+  return largest_share_of_rayleigh_time * rayleigh_time(smallest_radius, material);
+}
+
 void validate_time_step(double time_step, double smallest_radius, const Material& material) {
-  const double rayleigh = rayleigh_time(smallest_radius, material);
-  const double limit = largest_share_of_rayleigh_time * rayleigh;
+  const double limit = longest_time_step(smallest_radius, material);
   if (time_step > 0.0 && time_step <= limit) return;
   throw std::invalid_argument(fmt::format(
-      "the DEM time step {} s is not possible: it must be positive and at most {:.3g} s, which is {} of the Rayleigh "
-      "time {:.3g} s of the smallest grain; choose a smaller step, or larger or softer grains",
-      time_step, limit, largest_share_of_rayleigh_time, rayleigh));
+      "a DEM time step of {} s is not possible: it must be positive and at most {:.3g} s, which is {} of the Rayleigh "
+      "time of the smallest grain; choose a smaller step, or larger or softer grains",
+      time_step, limit, largest_share_of_rayleigh_time));
 }
 
 void check_exchange(const Engine& engine, const CellStress& stress, std::uint64_t expected_grains) {

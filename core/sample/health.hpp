@@ -12,6 +12,9 @@ inline constexpr double largest_share_of_rayleigh_time = 0.65;
 /// Overlap beyond which grains are no longer nearly rigid, as a share of the smaller diameter.
 inline constexpr double largest_overlap = 0.05;
 
+/// The longest time step (s) that is allowed: 0.65 Rayleigh times of a sphere of `smallest_radius` (m).
+double longest_time_step(double smallest_radius, const Material& material);
+
 /// Throws std::invalid_argument unless 0 < time_step <= 0.65 Rayleigh times of a sphere of `smallest_radius` (m).
 void validate_time_step(double time_step, double smallest_radius, const Material& material);
 

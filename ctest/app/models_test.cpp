@@ -215,7 +215,7 @@ TEST(CheckTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
   EXPECT_NO_THROW(check(0.6499 * rayleigh));
   const std::string message = message_of<ConfigurationError>([&] { check(0.6501 * rayleigh); });
   EXPECT_CONTAINS(message, "case.toml:2:13: shear.time_step = 1.01");
-  EXPECT_CONTAINS(message, "at most 1.01e-05 s, which is 0.65 of the Rayleigh time 1.56e-05 s");
+  EXPECT_CONTAINS(message, "at most 1.01e-05 s, which is 0.65 of the Rayleigh time");
   EXPECT_CONTAINS(message, "choose a smaller step");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(-1e-6); }), "it must be above 0 s");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(0.0); }), "it must be above 0 s");

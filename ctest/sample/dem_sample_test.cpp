@@ -51,6 +51,8 @@ TEST_F(DemSampleTest, ALinearVelocityFieldReachesFromTheBottomToTheTop) {
     const double expected = after.role[i] == Role::mobile ? 3.0 * after.position[i].z() : 0.0;
     EXPECT_NEAR(after.velocity[i].x() - before.velocity[i].x(), expected, 1e-12);
     EXPECT_EQ(after.velocity[i].z(), before.velocity[i].z());
+    // curl of (3 z, 0, 0) is (0, 3, 0); a rigid rotation spins at half its curl
+    EXPECT_NEAR(after.spin[i].y() - before.spin[i].y(), after.role[i] == Role::mobile ? 1.5 : 0.0, 1e-12);
   }
 }
 

@@ -120,7 +120,7 @@ TEST_F(UndrainedProgram, RefusesTimeStepsAbove065RayleighTimes) {
     EXPECT_EQ(run({"--list", "--set", key + "=1.01e-5 s"}).code, 0);
     const std::string message = complaint_about(key + "=1.02e-5 s");
     EXPECT_CONTAINS(message, "--set " + key + "=1.02e-5 s: ");
-    EXPECT_CONTAINS(message, "at most 1.01e-05 s, which is 0.65 of the Rayleigh time 1.56e-05 s");
+    EXPECT_CONTAINS(message, "at most 1.01e-05 s, which is 0.65 of the Rayleigh time");
     EXPECT_CONTAINS(message, "choose a smaller step");
     EXPECT_CONTAINS(complaint_about(key + "=0 s"), "it must be above 0 s");
   }
