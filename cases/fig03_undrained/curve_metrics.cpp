@@ -5,10 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <limits>
 
 namespace flowslide {
 namespace {
 
+constexpr double started_from = 1e-3;       ///< strain within which the sudden start of a fast test dies away
 constexpr double first_window = 0.05;       ///< strain within which the first peak lies
 constexpr double liquefied_from = 0.10;     ///< strain from which the loosest sample has been liquefied for long
 constexpr double regain_from = 0.25;        ///< "when shear strain develops more than 25 %"
@@ -116,15 +119,22 @@ void add_rates(std::vector<Metric>& metrics, const Record& record) {
                      "largest kinetic over contact normal stress while the sample bears 1 % of sigma_0"});
 }
 
-/// How far Bagi's and Nicot's stress part.
+/// How far Bagi's and Nicot's stress part, over the largest shear stress: beyond the start, and while it lasts.
 void add_formulas(std::vector<Metric>& metrics, const Record& record) {
-  double apart = 0.0;
-  for (std::size_t row = 0; row < record.rows(); ++row)
-    apart = std::max({apart, std::abs(record.at("bagi_shear_stress", row) - record.at("nicot_shear_stress", row)),
-                      std::abs(record.at("bagi_normal_stress", row) - record.at("nicot_normal_stress", row))});
-  metrics.push_back({"bagi_nicot_difference",
-                     apart / record.largest("bagi_shear_stress", 0.0, record.final_strain()), "1",
-                     "largest difference of Bagi's and Nicot's stress over the largest shear stress"});
+  const double largest = record.largest("bagi_shear_stress", 0.0, record.final_strain());
+  const auto apart = [&](double from, double to) {
+    double difference = 0.0;
+    record.each(from, to, [&](std::size_t row) {
+      for (const char* component : {"shear_stress", "normal_stress"})
+        difference = std::max(difference, std::abs(record.at((std::string("bagi_") + component).c_str(), row) -
+                                                   record.at((std::string("nicot_") + component).c_str(), row)));
+    });
+    return difference / largest;
+  };
+  metrics.push_back({"bagi_nicot_difference", apart(started_from, record.final_strain()), "1",
+                     "largest difference of Bagi's and Nicot's stress beyond 0.1 % strain over the largest shear stress"});
+  metrics.push_back({"bagi_nicot_difference_at_start", apart(0.0, started_from), "1",
+                     "the same up to 0.1 % strain, where torques have not balanced yet"});
 }
 
 }  // namespace

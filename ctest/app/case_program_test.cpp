@@ -241,6 +241,13 @@ TEST_F(CaseProgramTest, ChecksWithoutARun) {
   EXPECT_FALSE(fs::exists("none"));
 }
 
+TEST_F(CaseProgramTest, JudgesNoResultsOfAnotherConfiguration) {
+  run({});
+  const std::string message = complaint({"--check", "--set", "count=4"});
+  EXPECT_CONTAINS(message, "the results of a in " + out().string() + " were made with the configuration ");
+  EXPECT_CONTAINS(message, "give --check the options they were made with");
+}
+
 TEST_F(CaseProgramTest, ChecksTheClaimsOfTheFiguresOfAPoint) {
   run({"--point", "a"});
   // Point a draws figure 1, whose claim is met; "Fig. 12" is not its figure though it begins alike.

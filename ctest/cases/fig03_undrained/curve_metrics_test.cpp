@@ -113,6 +113,13 @@ TEST(CurveMetrics, WeighTheKineticStressWhileThereIsAnother) {
   EXPECT_NEAR(metrics_of(liquefied).at("kinetic_share"), 5.0 / 1050.0, rounding);
 }
 
+TEST(CurveMetrics, TellTheSuddenStartFromTheRest) {
+  Series started = curve();
+  set(started, "nicot_shear_stress", 0, 1000.0 - 300.0);  // at rest the shear stress is 1000 Pa
+  EXPECT_NEAR(metrics_of(started).at("bagi_nicot_difference_at_start"), 300.0 / 3000.0, rounding);
+  EXPECT_NEAR(metrics_of(started).at("bagi_nicot_difference"), 9.0 / 3000.0, rounding);
+}
+
 TEST(CurveMetrics, HoldTheFormulasAgainstEachOther) {
   EXPECT_NEAR(metrics_of(curve()).at("bagi_nicot_difference"), 9.0 / 3000.0, rounding);  // 9 Pa, at 7 %
   EXPECT_NEAR(metrics_of(curve(5)).at("bagi_nicot_difference"), 6.0 / 3000.0, rounding);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pictures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "support/touching_lattice.hpp"
+
+namespace flowslide {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PicturesTest : public testing::Test {
+ protected:
+  PicturesTest() { fs::remove_all(folder_); }
+  ~PicturesTest() override { fs::remove_all(folder_); }
+  const fs::path folder_ = fs::path(testing::TempDir()) / "pictures_test";
+};
+
+TEST_F(PicturesTest, ShowTheSampleBeforeAndAtTheStrainWithFramesBetween) {
+  const OutputFolder output = OutputFolder::open(folder_, "fig03_undrained");
+  Pictures pictures(0.25);
+  for (int row = 0; row <= 50; ++row) pictures.take(0.1 * row, 0.01 * row, touching_lattice(4, 5));
+  pictures.write(output, "curve");
+  EXPECT_TRUE(fs::exists(folder_ / "fig02_before.dat"));
+  EXPECT_TRUE(fs::exists(folder_ / "fig02_during.dat"));
+  std::ifstream file(folder_ / "curve.pvd");
+  const std::string collection(std::istreambuf_iterator<char>(file), {});
+  for (int frame = 0; frame <= 5; ++frame) {
+    EXPECT_TRUE(fs::exists(folder_ / "curve_frames" / ("grains_" + std::to_string(frame) + ".vtp")));
+    EXPECT_NE(collection.find("curve_frames/grains_" + std::to_string(frame) + ".vtp"), std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "curve_frames" / "grains_6.vtp"));
+  EXPECT_NE(collection.find("timestep=\"2.5\""), std::string::npos) << collection;  // 25 % strain is row 25
+}
+
+TEST_F(PicturesTest, NoStrainMeansNoFiles) {
+  const OutputFolder output = OutputFolder::open(folder_, "fig03_undrained");
+  Pictures pictures(std::nullopt);
+  pictures.take(0.0, 0.0, touching_lattice(4, 5));
+  pictures.write(output, "curve");
+  EXPECT_FALSE(fs::exists(folder_ / "fig02_before.dat"));
+  EXPECT_FALSE(fs::exists(folder_ / "curve.pvd"));
+}
+
+}  // namespace
+}  // namespace flowslide
