@@ -5,13 +5,15 @@
 #include <fmt/ranges.h>
 
 #include "dem/liggghts/liggghts_engine.hpp"
+#include "dem/native/native_engine.hpp"
 
 namespace flowslide {
 
-std::vector<std::string> engine_names() { return {"liggghts"}; }
+std::vector<std::string> engine_names() { return {"liggghts", "native"}; }
 
 std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log) {
   if (name == "liggghts") return std::make_unique<LiggghtsEngine>(log);
+  if (name == "native") return std::make_unique<NativeEngine>();
   throw std::invalid_argument(
       fmt::format("there is no engine '{}'; choose one of: {}", name, fmt::join(engine_names(), ", ")));
 }

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/native/native_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/contact_forces.hpp"
+#include "grains/contact_law.hpp"
+
+namespace flowslide {
+namespace {
+
+using native::Body;
+using native::Load;
+
+/// What the list reaches beyond touching, as a share of the smallest diameter: a small one leaves few open pairs.
+constexpr double skin_share = 0.01;
+
+bool mobile(Role role) { return role == Role::mobile; }
+
+}  // namespace
+
+NativeEngine::NativeEngine() : pass_(native::contact_pass()) {}
+NativeEngine::~NativeEngine() = default;
+
+void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings) {
+  settings_ = settings;
+  role_ = assembly.role;
+  const std::size_t n = assembly.size();
+  bodies_.assign(n + 2, Body{});
+  loads_.assign(n + 2, Load{});
+  double largest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    Body& body = bodies_[i];
+    Vector3::Map(body.position) = assembly.position[i];
+    Vector3::Map(body.velocity) = assembly.velocity[i];
+    Vector3::Map(body.spin) = assembly.spin[i];
+    body.radius = assembly.radius[i];
+    body.mass = sphere_mass(body.radius, settings.material);
+    body.inertia = 0.4 * body.mass * body.radius * body.radius;
+    Vector3::Map(loads_[i].force) = assembly.force[i];
+    Vector3::Map(loads_[i].torque) = assembly.torque[i];
+    largest = std::max(largest, body.radius);
+  }
+  bodies_[n + 1].position[0] = 1.0;  // the pair that pads tiles never touches
+  for (Body* pad : {&bodies_[n], &bodies_[n + 1]}) {
+    pad->radius = 1e-3;
+    pad->mass = pad->inertia = 1.0;
+  }
+  boundaries_ = std::make_unique<native::Boundaries>(assembly.cell, settings);
+  list_ = std::make_unique<native::PairList>(skin_share * 2.0 * assembly.smallest_radius());
+  reach_ = 2.0 * largest + list_->skin();
+  for (int axis = 0; axis < 3; ++axis)
+    if (assembly.cell.periodic[axis] && assembly.cell.lengths()[axis] < 2.0 * reach_)
+      throw EngineError(fmt::format("the cell is {} m long along periodic axis {}; a grain would meet two images of "
+                                    "another: at least {} m are needed", assembly.cell.lengths()[axis], axis,
+                                    2.0 * reach_));
+  prepare_law();
+  if (const auto inside = count_grains(); inside != n)
+    throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
+                                  n - inside, n));
+  rebuild();
+  list_->set_histories(assembly.contacts);
+  // The sums that the last step left, for a stress before the first step.
+  virial_[0] = virial_[1] = 0.0;
+  const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
+  for (const Contact& contact : forces.contacts)
+    for (int axis = 0; axis < 2; ++axis) virial_[axis] += contact.branch[axis] * contact.force.on_first[axis];
+}
+
+void NativeEngine::prepare_law() {
+  const Material& m = settings_.material;
+  const PairConstants pair = pair_constants(m, 1.0, 1.0);  // moduli and damping do not depend on the radii
+  const double dashpot = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping;
+  law_ = {.normal_stiffness = 4.0 / 3.0 * pair.effective_modulus,
+          .normal_damping = dashpot * std::sqrt(2.0 * pair.effective_modulus),
+          .tangential_stiffness = 8.0 * pair.effective_shear_modulus,
+          .tangential_damping = dashpot * std::sqrt(8.0 * pair.effective_shear_modulus),
+          .sliding_friction = m.sliding_friction,
+          .rolling_friction = m.rolling_friction,
+          .rolling_stiffness = m.rolling_stiffness * m.rolling_friction * m.rolling_friction,
+          .rolling_damping = 2.0 * m.rolling_viscous_damping,
+          .time_step = settings_.time_step};
+  variant_ = m.rolling_friction > 0.0   ? native::LawVariant::sliding_and_rolling
+             : m.sliding_friction > 0.0 ? native::LawVariant::sliding
+                                        : native::LawVariant::frictionless;
+}
+
+void NativeEngine::rebuild() {
+  const Cell& cell = boundaries_->cell();
+  for (std::size_t i = 0; i < role_.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!cell.periodic[axis]) continue;
+      double& x = bodies_[i].position[axis];
+      const double length = cell.lengths()[axis];
+      x -= length * std::floor((x - cell.lower[axis]) / length);
+    }
+  list_->build(cell, bodies_, role_);
+  skin_left_ = list_->skin();
+}
+
+void NativeEngine::set(const EngineSettings& settings) {
+  settings_ = settings;
+  boundaries_->set(settings);
+  prepare_law();
+}
+
+void NativeEngine::move(const BoundaryMotion& motion) { boundaries_->move(motion, bodies_, role_); }
+
+double NativeEngine::fastest() const {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < role_.size(); ++i)
+    squared = std::max(squared, (Vector3::Map(bodies_[i].velocity) -
+                                 boundaries_->mean_flow(bodies_[i].position[2])).squaredNorm());
+  return std::sqrt(squared);
+}
+
+void NativeEngine::begin_step() {
+  const double step = settings_.time_step;
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    Body& body = bodies_[i];
+    if (mobile(role_[i])) {
+      const double kick = 0.5 * step / body.mass, twist = 0.5 * step / body.inertia;
+      for (int axis = 0; axis < 3; ++axis) {
+        body.velocity[axis] += kick * loads_[i].force[axis];
+        body.spin[axis] += twist * loads_[i].torque[axis];
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis) body.position[axis] += step * body.velocity[axis];
+  }
+  boundaries_->advance(bodies_, role_.size());
+}
+
+void NativeEngine::end_step() {
+  const double step = settings_.time_step;
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    if (!mobile(role_[i])) continue;
+    Body& body = bodies_[i];
+    const double kick = 0.5 * step / body.mass, twist = 0.5 * step / body.inertia;
+    for (int axis = 0; axis < 3; ++axis) {
+      body.velocity[axis] += kick * loads_[i].force[axis];
+      body.spin[axis] += twist * loads_[i].torque[axis];
+    }
+  }
+}
+
+void NativeEngine::evaluate_forces(bool last) {
+  std::fill(loads_.begin(), loads_.end(), Load{});
+  virial_[0] = virial_[1] = 0.0;
+  pass_(variant_, law_, list_->view(boundaries_->cell()), bodies_.data(), loads_.data(), last ? virial_ : nullptr);
+  boundaries_->push(bodies_, role_, loads_);
+}
+
+void NativeEngine::run(std::int64_t steps) {
+  for (std::int64_t s = 0; s < steps; ++s) {
+    begin_step();
+    // Two neighbours approach by at most twice the fastest fluctuation and what the mean flow does over their distance.
+    skin_left_ -= settings_.time_step * (2.0 * fastest() + boundaries_->mean_flow_speed(reach_));
+    if (!(skin_left_ > 0.0)) rebuild();
+    evaluate_forces(s + 1 == steps);
+    end_step();
+  }
+}
+
+CellStress NativeEngine::cell_stress() const {
+  const Cell& cell = boundaries_->cell();
+  Vector3 height_times_force = -boundaries_->drag_height_times_force(), moment = -boundaries_->drag_moment();
+  Vector3 top = Vector3::Zero();
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    const auto force = Vector3::Map(loads_[i].force);
+    if (role_[i] == Role::top_layer) top -= force;
+    if (!mobile(role_[i])) continue;
+    const Vector3 position = Vector3::Map(bodies_[i].position) - cell.lower;
+    height_times_force += position.z() * force;
+    moment += position.cwiseProduct(force);
+  }
+  top.z() += boundaries_->upper_plane().z();
+  const Vector3 section = (height_times_force - cell.height() * top) / cell.volume();
+  const auto lateral = [&](int axis) {
+    return (cell.periodic[axis] ? virial_[axis]
+                                : moment[axis] - cell.lengths()[axis] * boundaries_->upper_plane()[axis]) /
+           cell.volume();
+  };
+  return {section.z(), -section.x(), -section.y(), lateral(0), lateral(1)};
+}
+
+Cell NativeEngine::cell() const { return boundaries_->cell(); }
+
+std::uint64_t NativeEngine::count_grains() const {
+  const Cell& cell = boundaries_->cell();
+  std::uint64_t inside = 0;
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    bool in = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double x = bodies_[i].position[axis];
+      in = in && (cell.periodic[axis] ? std::isfinite(x) : x >= cell.lower[axis] && x <= cell.upper[axis]);
+    }
+    inside += in;
+  }
+  return inside;
+}
+
+Assembly NativeEngine::save() const {
+  Assembly assembly;
+  assembly.cell = boundaries_->cell();
+  assembly.resize(role_.size());
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    assembly.position[i] = Vector3::Map(bodies_[i].position);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!assembly.cell.periodic[axis]) continue;
+      const double length = assembly.cell.lengths()[axis];
+      double& x = assembly.position[i][axis];
+      x -= length * std::floor((x - assembly.cell.lower[axis]) / length);
+    }
+    assembly.velocity[i] = Vector3::Map(bodies_[i].velocity);
+    assembly.spin[i] = Vector3::Map(bodies_[i].spin);
+    assembly.force[i] = Vector3::Map(loads_[i].force);
+    assembly.torque[i] = Vector3::Map(loads_[i].torque);
+    assembly.radius[i] = bodies_[i].radius;
+    assembly.role[i] = role_[i];
+  }
+  assembly.contacts = list_->histories(bodies_);
+  return assembly;
+}
+
+std::string NativeEngine::version() const { return FLOWSLIDE_VERSION; }
+
+}  // namespace flowslide

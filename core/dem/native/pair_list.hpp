@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <array>
+#include <vector>
+
+#include "dem/native/contact_pass.hpp"
+#include "grains/assembly.hpp"
+
+namespace flowslide::native {
+
+/// The neighbour list: all pairs nearer than touching plus a skin, sorted by (first, second), first < second, pairs of
+/// one glued layer left out. Open pairs add exact zeros, so results depend neither on the skin nor on when it is built.
+class PairList {
+ public:
+  explicit PairList(double skin) : skin_(skin) {}
+
+  /// Builds the list anew from `bodies` (folded into the cell by the caller; the last two stand in for no grain and pad
+  /// the last tile) and keeps the histories of pairs that were in the list before.
+  void build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role);
+  /// Forgets all histories and takes these; the list must have been built.
+  void set_histories(const std::vector<ContactHistory>& contacts);
+  /// Histories of the pairs that touch.
+  std::vector<ContactHistory> histories(const std::vector<Body>& bodies) const;
+
+  /// What the contact pass needs; valid until the list changes. `cell` gives the periods of this moment.
+  PairView view(const Cell& cell);
+  double skin() const { return skin_; }
+  std::size_t pairs() const { return pairs_; }
+  /// Separation x_first - x_second of a pair, nearest image as of the last build, m.
+  Vector3 separation(std::size_t pair, const std::vector<Body>& bodies) const;
+
+ private:
+  struct Columns {
+    std::vector<std::uint32_t> first, second;
+    std::vector<std::uint8_t> image;
+    std::array<std::vector<double>, 6> history;  ///< spring, rolling torque
+    void reserve(std::size_t n);
+    void append(std::uint32_t i, std::uint32_t j, std::uint8_t shift);
+  };
+  void keep_histories(const Columns& old, std::size_t old_pairs);
+  void fill_constants(const std::vector<Body>& bodies);
+  void set_shifts(const Cell& cell);
+
+  double skin_;
+  std::size_t pairs_ = 0;
+  Columns columns_;
+  std::vector<double> effective_radius_, root_effective_mass_, root_rolling_inertia_;
+  double shift_[27][4] = {};
+};
+
+}  // namespace flowslide::native
