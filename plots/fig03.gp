@@ -21,20 +21,23 @@ do for [format in "png pdf"] {
   set title panel("A", "stress path")
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
-  set xrange [0:30]; set yrange [0:*]
-  set key at graph 0.90, 0.02 right bottom Left reverse
+  set xrange [0:30]; set yrange [0:*]   # the paper's range: what regains more than it began with leaves the frame
+  set offsets 0, 0, graph 0.1, 0        # room for the key
+  set key at graph 0, 1.02 left top Left reverse
   plot for [i = 1:4] table(i) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
     with lines linewidth 1.2 linecolor rgb colour[i] title label_of(word(points, i))
 
   set lmargin at screen 0.39; set rmargin at screen 0.63
   set title panel("B", "stress-strain response")
   set xlabel "shear strain {/:Italic γ} (%)"
-  set xrange [0:*]
+  set xrange [0:*] noextend; set xtics 10
+  set offsets 0, 0, graph 0.75, 0       # room for the inset
   unset key
   plot for [i = 1:4] table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
     with lines linewidth 1.2 linecolor rgb colour[i] notitle
 
   set lmargin at screen 0.745; set rmargin at screen 0.985
+  set offsets
   set title panel("C", "inertial number")
   set ylabel "inertial number {/:Italic I}" offset 0.5
   set logscale y; set format y "10^{%T}"; set yrange [5e-5:*]
@@ -45,16 +48,15 @@ do for [format in "png pdf"] {
   unset arrow 1; unset label 1; unset logscale y; set format y "% h"
 
   # The inset of B: what the low-strength samples regain at large strain.
-  set lmargin at screen 0.45; set rmargin at screen 0.55
-  set bmargin at screen 0.63; set tmargin at screen 0.88
+  set lmargin at screen 0.455; set rmargin at screen 0.62
+  set bmargin at screen 0.66; set tmargin at screen 0.89
   unset title; unset xlabel; unset ylabel
   set border 15
-  set xrange [20:*]; set yrange [0:*]
-  set xtics 10; set ytics autofreq
+  set xrange [20:*] noextend; set yrange [0:*]
   set tics font ",6.5" offset 0.4, 0.2
   plot for [i = 1:3] table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
     with lines linewidth 1 linecolor rgb colour[i] notitle
-  set border 3; set tics autofreq font ",8" offset 0, 0
+  set border 3; set tics font ",8" offset 0, 0; set xtics autofreq
 
   unset multiplot
   set output
