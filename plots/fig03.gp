@@ -47,16 +47,16 @@ do for [format in "png pdf"] {
     with lines linewidth 1.2 linecolor rgb colour[i] notitle
   unset arrow 1; unset label 1; unset logscale y; set format y "% h"
 
-  # The inset of B: what the low-strength samples regain at large strain.
+  # The inset of B: where the low-strength samples begin to regain it, at large strain, below 1 kPa.
   set lmargin at screen 0.455; set rmargin at screen 0.62
   set bmargin at screen 0.66; set tmargin at screen 0.89
   unset title; unset xlabel; unset ylabel
   set border 15
-  set xrange [20:*] noextend; set yrange [0:*]
+  set xrange [20:*] noextend; set yrange [0:1]; set ytics 0.5
   set tics font ",6.5" offset 0.4, 0.2
   plot for [i = 1:3] table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
     with lines linewidth 1 linecolor rgb colour[i] notitle
-  set border 3; set tics font ",8" offset 0, 0; set xtics autofreq
+  set border 3; set tics font ",8" offset 0, 0; set xtics autofreq; set ytics autofreq
 
   unset multiplot
   set output
