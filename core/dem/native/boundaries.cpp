@@ -76,9 +76,12 @@ double Boundaries::mean_flow_speed(double reach) const {
                   std::abs(motion_.compression_rate_x) + std::abs(motion_.compression_rate_y));
 }
 
-Vector3 Boundaries::mean_flow(double z) const {
-  return motion_.bottom_velocity +
-         (z - cell_.lower.z()) / cell_.height() * (motion_.top_velocity - motion_.bottom_velocity);
+MeanFlow Boundaries::mean_flow() const {
+  MeanFlow flow{};
+  Vector3::Map(flow.base) = motion_.bottom_velocity;
+  Vector3::Map(flow.slope) = (motion_.top_velocity - motion_.bottom_velocity) / cell_.height();
+  flow.origin = cell_.lower.z();
+  return flow;
 }
 
 }  // namespace flowslide::native

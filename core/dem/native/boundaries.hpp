@@ -30,8 +30,8 @@ class Boundaries {
   const Vector3& drag_moment() const { return drag_moment_; }
   /// Bound on how fast two neighbours that follow the boundaries part or meet, m/s, if they are `reach` (m) apart.
   double mean_flow_speed(double reach) const;
-  /// Velocity of the boundaries' linear field at a height z, m/s.
-  Vector3 mean_flow(double z) const;
+  /// The boundaries' linear field of velocities.
+  MeanFlow mean_flow() const;
 
  private:
   Cell cell_;

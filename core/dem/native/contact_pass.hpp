@@ -44,7 +44,8 @@ struct PairView {
   std::size_t count;                       ///< a multiple of the tile size
   const std::uint32_t *first, *second;
   const std::uint8_t* image;               ///< which of `image_shift` brings the second next to the first
-  const double (*image_shift)[4];          ///< m; shape (27, 4), the last is unused
+  const double (*image_shift)[4];          ///< m; shape (27, 4), the last is unused; aligned to 32 bytes
+  const double *first_radius, *second_radius;  ///< m
   const double *effective_radius, *root_effective_mass, *root_rolling_inertia;
   double *spring[3], *rolling_torque[3];   ///< histories, advanced by the pass
 };
@@ -57,9 +58,28 @@ enum class LawVariant { frictionless, sliding, sliding_and_rolling };
 using ContactPass = void (*)(LawVariant variant, const LawConstants& constants, const PairView& pairs,
                              const Body* bodies, Load* loads, double* virial);
 
+/// A linear field of velocities u = base + slope (z - origin), m/s: what the boundaries impose on the whole sample.
+struct MeanFlow {
+  alignas(32) double base[4];   ///< m/s, the last is 0
+  alignas(32) double slope[4];  ///< 1/s, the last is 0
+  double origin;                ///< m
+};
+
+/// Which half kicks the motion pass does: that of the end of a step, that of the beginning with the drift, or both.
+enum class MotionPart { end, begin, end_and_begin };
+
+/// Velocity Verlet over `count` grains: v <- v + dt/2 f/m, x <- x + dt v, spins likewise. `kick` is dt/2 m and `twist`
+/// dt/2 I_s of each grain, 0 for glued ones. A part with a beginning clears the loads. Returns the square of the largest
+/// |v - u|, m^2/s^2, after a beginning, else 0.
+using MotionPass = double (*)(MotionPart part, std::size_t count, double time_step, const double* kick,
+                              const double* twist, const MeanFlow& flow, Body* bodies, Load* loads);
+
 /// The pass compiled for the widest vectors that this processor has. All give the same bits.
 ContactPass contact_pass();
 /// The pass of one instruction set, "baseline", "avx2" or "avx512"; null if the build or the processor lacks it.
 ContactPass contact_pass(const char* instruction_set);
+
+MotionPass motion_pass();
+MotionPass motion_pass(const char* instruction_set);
 
 }  // namespace flowslide::native

@@ -15,14 +15,17 @@ namespace {
 using native::Body;
 using native::Load;
 
-/// What the list reaches beyond touching, as a share of the smallest diameter: a small one leaves few open pairs.
-constexpr double skin_share = 0.01;
+/// What the list reaches beyond touching, as shares of the smallest diameter. A small skin leaves few open pairs in the
+/// list, a large one lasts longer; the engine looks for the balance, and no result depends on it.
+constexpr double first_skin = 0.01, smallest_skin = 0.002, largest_skin = 0.1;
+/// Steps that a list should last: fewer, and the skin grows; more, and it shrinks.
+constexpr std::int64_t shortest_age = 40, longest_age = 160;
 
 bool mobile(Role role) { return role == Role::mobile; }
 
 }  // namespace
 
-NativeEngine::NativeEngine() : pass_(native::contact_pass()) {}
+NativeEngine::NativeEngine() : contact_pass_(native::contact_pass()), motion_pass_(native::motion_pass()) {}
 NativeEngine::~NativeEngine() = default;
 
 void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings) {
@@ -50,13 +53,17 @@ void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings
     pad->mass = pad->inertia = 1.0;
   }
   boundaries_ = std::make_unique<native::Boundaries>(assembly.cell, settings);
-  list_ = std::make_unique<native::PairList>(skin_share * 2.0 * assembly.smallest_radius());
-  reach_ = 2.0 * largest + list_->skin();
+  list_ = std::make_unique<native::PairList>();
+  largest_diameter_ = 2.0 * largest;
+  smallest_diameter_ = 2.0 * assembly.smallest_radius();
+  skin_ = first_skin * smallest_diameter_;
+  list_age_ = 0;
+  const double least_period = 2.0 * (largest_diameter_ + largest_skin * smallest_diameter_);
   for (int axis = 0; axis < 3; ++axis)
-    if (assembly.cell.periodic[axis] && assembly.cell.lengths()[axis] < 2.0 * reach_)
+    if (assembly.cell.periodic[axis] && assembly.cell.lengths()[axis] < least_period)
       throw EngineError(fmt::format("the cell is {} m long along periodic axis {}; a grain would meet two images of "
                                     "another: at least {} m are needed", assembly.cell.lengths()[axis], axis,
-                                    2.0 * reach_));
+                                    least_period));
   prepare_law();
   if (const auto inside = count_grains(); inside != n)
     throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
@@ -83,6 +90,12 @@ void NativeEngine::prepare_law() {
           .rolling_stiffness = m.rolling_stiffness * m.rolling_friction * m.rolling_friction,
           .rolling_damping = 2.0 * m.rolling_viscous_damping,
           .time_step = settings_.time_step};
+  kick_.resize(role_.size());
+  twist_.resize(role_.size());
+  for (std::size_t i = 0; i < role_.size(); ++i) {
+    kick_[i] = mobile(role_[i]) ? 0.5 * settings_.time_step / bodies_[i].mass : 0.0;
+    twist_[i] = mobile(role_[i]) ? 0.5 * settings_.time_step / bodies_[i].inertia : 0.0;
+  }
   variant_ = m.rolling_friction > 0.0   ? native::LawVariant::sliding_and_rolling
              : m.sliding_friction > 0.0 ? native::LawVariant::sliding
                                         : native::LawVariant::frictionless;
@@ -97,8 +110,13 @@ void NativeEngine::rebuild() {
       const double length = cell.lengths()[axis];
       x -= length * std::floor((x - cell.lower[axis]) / length);
     }
-  list_->build(cell, bodies_, role_);
-  skin_left_ = list_->skin();
+  if (list_age_ > 0) {  // not the first
+    if (list_age_ < shortest_age) skin_ = std::min(1.5 * skin_, largest_skin * smallest_diameter_);
+    if (list_age_ > longest_age) skin_ = std::max(0.8 * skin_, smallest_skin * smallest_diameter_);
+  }
+  list_->build(cell, bodies_, role_, skin_);
+  skin_left_ = skin_;
+  list_age_ = 0;
 }
 
 void NativeEngine::set(const EngineSettings& settings) {
@@ -109,59 +127,31 @@ void NativeEngine::set(const EngineSettings& settings) {
 
 void NativeEngine::move(const BoundaryMotion& motion) { boundaries_->move(motion, bodies_, role_); }
 
-double NativeEngine::fastest() const {
-  double squared = 0.0;
-  for (std::size_t i = 0; i < role_.size(); ++i)
-    squared = std::max(squared, (Vector3::Map(bodies_[i].velocity) -
-                                 boundaries_->mean_flow(bodies_[i].position[2])).squaredNorm());
-  return std::sqrt(squared);
-}
-
-void NativeEngine::begin_step() {
-  const double step = settings_.time_step;
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    Body& body = bodies_[i];
-    if (mobile(role_[i])) {
-      const double kick = 0.5 * step / body.mass, twist = 0.5 * step / body.inertia;
-      for (int axis = 0; axis < 3; ++axis) {
-        body.velocity[axis] += kick * loads_[i].force[axis];
-        body.spin[axis] += twist * loads_[i].torque[axis];
-      }
-    }
-    for (int axis = 0; axis < 3; ++axis) body.position[axis] += step * body.velocity[axis];
-  }
+void NativeEngine::move_grains(native::MotionPart part) {
+  const double squared = motion_pass_(part, role_.size(), settings_.time_step, kick_.data(), twist_.data(),
+                                      boundaries_->mean_flow(), bodies_.data(), loads_.data());
+  if (part == native::MotionPart::end) return;
   boundaries_->advance(bodies_, role_.size());
-}
-
-void NativeEngine::end_step() {
-  const double step = settings_.time_step;
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    if (!mobile(role_[i])) continue;
-    Body& body = bodies_[i];
-    const double kick = 0.5 * step / body.mass, twist = 0.5 * step / body.inertia;
-    for (int axis = 0; axis < 3; ++axis) {
-      body.velocity[axis] += kick * loads_[i].force[axis];
-      body.spin[axis] += twist * loads_[i].torque[axis];
-    }
-  }
+  // Two neighbours approach by at most twice the fastest fluctuation and what the mean flow does over their distance.
+  const double approach = 2.0 * std::sqrt(squared) + boundaries_->mean_flow_speed(largest_diameter_ + skin_);
+  skin_left_ -= settings_.time_step * approach;
+  ++list_age_;
+  if (!(skin_left_ > 0.0)) rebuild();
 }
 
 void NativeEngine::evaluate_forces(bool last) {
-  std::fill(loads_.begin(), loads_.end(), Load{});
   virial_[0] = virial_[1] = 0.0;
-  pass_(variant_, law_, list_->view(boundaries_->cell()), bodies_.data(), loads_.data(), last ? virial_ : nullptr);
+  contact_pass_(variant_, law_, list_->view(boundaries_->cell()), bodies_.data(), loads_.data(),
+                last ? virial_ : nullptr);
   boundaries_->push(bodies_, role_, loads_);
 }
 
 void NativeEngine::run(std::int64_t steps) {
   for (std::int64_t s = 0; s < steps; ++s) {
-    begin_step();
-    // Two neighbours approach by at most twice the fastest fluctuation and what the mean flow does over their distance.
-    skin_left_ -= settings_.time_step * (2.0 * fastest() + boundaries_->mean_flow_speed(reach_));
-    if (!(skin_left_ > 0.0)) rebuild();
+    move_grains(s == 0 ? native::MotionPart::begin : native::MotionPart::end_and_begin);
     evaluate_forces(s + 1 == steps);
-    end_step();
   }
+  if (steps > 0) move_grains(native::MotionPart::end);
 }
 
 CellStress NativeEngine::cell_stress() const {

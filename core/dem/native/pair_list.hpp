@@ -8,15 +8,13 @@
 
 namespace flowslide::native {
 
-/// The neighbour list: all pairs nearer than touching plus a skin, sorted by (first, second), first < second, pairs of
+/// The neighbour list: all pairs nearer than touching plus a skin (m), sorted by (first, second), first < second, pairs of
 /// one glued layer left out. Open pairs add exact zeros, so results depend neither on the skin nor on when it is built.
 class PairList {
  public:
-  explicit PairList(double skin) : skin_(skin) {}
-
   /// Builds the list anew from `bodies` (folded into the cell by the caller; the last two stand in for no grain and pad
   /// the last tile) and keeps the histories of pairs that were in the list before.
-  void build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role);
+  void build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role, double skin);
   /// Forgets all histories and takes these; the list must have been built.
   void set_histories(const std::vector<ContactHistory>& contacts);
   /// Histories of the pairs that touch.
@@ -24,7 +22,6 @@ class PairList {
 
   /// What the contact pass needs; valid until the list changes. `cell` gives the periods of this moment.
   PairView view(const Cell& cell);
-  double skin() const { return skin_; }
   std::size_t pairs() const { return pairs_; }
   /// Separation x_first - x_second of a pair, nearest image as of the last build, m.
   Vector3 separation(std::size_t pair, const std::vector<Body>& bodies) const;
@@ -41,11 +38,10 @@ class PairList {
   void fill_constants(const std::vector<Body>& bodies);
   void set_shifts(const Cell& cell);
 
-  double skin_;
   std::size_t pairs_ = 0;
   Columns columns_;
-  std::vector<double> effective_radius_, root_effective_mass_, root_rolling_inertia_;
-  double shift_[27][4] = {};
+  std::vector<double> first_radius_, second_radius_, effective_radius_, root_effective_mass_, root_rolling_inertia_;
+  alignas(32) double shift_[27][4] = {};
 };
 
 }  // namespace flowslide::native

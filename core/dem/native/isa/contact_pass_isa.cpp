@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contact pass: tiles of contacts, three short loops each (gather, law, scatter). Compiled once per instruction set
+// The contact pass: tiles of contacts, three short loops each (gather, law, scatter), and the motion pass. Compiled once per instruction set
 // (see core/CMakeLists.txt) into a namespace of its own, so that no function for wide vectors is ever linked elsewhere.
 #include "dem/native/isa/gather_scatter.hpp"
+#include "dem/native/isa/integrate.hpp"
 #include "dem/native/isa/law.hpp"
 
 namespace flowslide::native {
@@ -37,6 +38,16 @@ void pass(LawVariant variant, const LawConstants& constants, const PairView& pai
     case LawVariant::sliding: return either<true, false>(constants, pairs, bodies, loads, virial);
     case LawVariant::sliding_and_rolling: return either<true, true>(constants, pairs, bodies, loads, virial);
   }
+}
+
+double motion(MotionPart part, std::size_t count, double time_step, const double* kick, const double* twist,
+              const MeanFlow& flow, Body* bodies, Load* loads) {
+  switch (part) {
+    case MotionPart::end: return integrate<true, false>(count, time_step, kick, twist, flow, bodies, loads);
+    case MotionPart::begin: return integrate<false, true>(count, time_step, kick, twist, flow, bodies, loads);
+    case MotionPart::end_and_begin: return integrate<true, true>(count, time_step, kick, twist, flow, bodies, loads);
+  }
+  return 0.0;
 }
 
 }  // namespace FLOWSLIDE_ISA

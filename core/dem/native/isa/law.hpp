@@ -96,12 +96,15 @@ inline void apply_law(const LawConstants& c, Tile& t) {
     t.force[0][k] = normal * nx + fx;
     t.force[1][k] = normal * ny + fy;
     t.force[2][k] = normal * nz + fz;
-    t.twist[0][k] = ny * fz - nz * fy;  // n x F_t
-    t.twist[1][k] = nz * fx - nx * fz;
-    t.twist[2][k] = nx * fy - ny * fx;
-    t.rolling[0][k] = mx;
-    t.rolling[1][k] = my;
-    t.rolling[2][k] = mz;
+    // Torques: minus the lever arm times n x F_t on either, minus the rolling torque on the first, plus on the second.
+    const double qx = ny * fz - nz * fy, qy = nz * fx - nx * fz, qz = nx * fy - ny * fx;
+    const double first = t.arm[0][k], second = t.arm[1][k];
+    t.torque[0][0][k] = -(first * qx) - mx;
+    t.torque[0][1][k] = -(first * qy) - my;
+    t.torque[0][2][k] = -(first * qz) - mz;
+    t.torque[1][0][k] = -(second * qx) + mx;
+    t.torque[1][1][k] = -(second * qy) + my;
+    t.torque[1][2][k] = -(second * qz) + mz;
   }
 }
 

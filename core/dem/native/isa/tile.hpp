@@ -27,9 +27,8 @@ struct Tile {
   double* spring[3];                          ///< m
   double* rolling_torque[3];                  ///< N m
   // What the law makes of it.
-  alignas(64) Lanes<double> force[3];    ///< on the first, N
-  alignas(64) Lanes<double> twist[3];    ///< n x F_t: torque on a grain is - arm twist -/+ rolling
-  alignas(64) Lanes<double> rolling[3];  ///< rolling torque with its dashpot, N m
+  alignas(64) Lanes<double> force[3];      ///< on the first, N
+  alignas(64) Lanes<double> torque[2][3];  ///< on the first and on the second, N m
 };
 
 }  // namespace FLOWSLIDE_ISA
