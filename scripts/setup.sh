@@ -14,6 +14,9 @@ fi
 say() { printf '%s\n' "$*" >&2; }
 die() { say "$1"; exit "${2:-2}"; }
 
+# Prepared samples belong to the project, wherever it is called from.
+export FLOWSLIDE_CACHE=${FLOWSLIDE_CACHE:-$root/cache}
+
 # The packages of packages.txt, one a line.
 packages() { sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/packages.txt"; }
 
@@ -60,19 +63,20 @@ install_packages() {
   quietly "install Debian packages: ${missing[*]}" "$root/build/apt.log" "${as_root[@]}" "${quiet[@]}" "${install[@]}" "${options[@]}" </dev/null
 }
 
-# build PRESET: configures and builds into build/PRESET. Two at a time wait for each other.
+# build PRESET [TARGET]: configures and builds into build/PRESET, everything unless told. Two at a time wait for each other.
 build() {
-  local preset=$1
+  local preset=$1 target=${2:-all}
   mkdir -p "$root/build"
   (
     flock 9
     cd "$root" || exit
     quietly "configure (preset $preset)" "$root/build/$preset-configure.log" cmake --preset "$preset"
-    quietly "build into build/$preset (minutes when new)" "$root/build/$preset-build.log" cmake --build --preset "$preset"
+    quietly "build into build/$preset (minutes when new)" "$root/build/$preset-build.log" cmake --build --preset "$preset" --target "$target"
   ) 9>"$root/build/.lock"
 }
 
+# set_up PRESET [TARGET]
 set_up() {
   install_packages
-  build "$1"
+  build "$@"
 }

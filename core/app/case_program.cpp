@@ -107,7 +107,9 @@ class CaseProgram {
     PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
                  ProgressStyle::of_stderr(mpi_rank())};
     if (complete) {
-      if (first_rank()) std::cerr << point.name << ": is there already, with this configuration; not run again\n";
+      if (first_rank())
+        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n", point.name,
+                                 read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }
     run.provenance.mpi_ranks = mpi_ranks();

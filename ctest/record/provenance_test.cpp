@@ -80,9 +80,9 @@ class BuildInformation : public ::testing::Test {
   std::string run() const {
     const auto script = (source / "core/record/build_information.cmake").string();
     const auto values = (folder_ / "values.hpp").string();
-    output_of("cmake -D source=" + tree_.string() + " -D output=" + values + " -D code_version=1.2.3 " +
-              "-D 'compiler_flags=-D \"x\"' -P " + script + " 2>&1");
-    return output_of("cat " + values);
+    output_of("cmake -D source='" + tree_.string() + "' -D output='" + values + "' -D code_version=1.2.3 " +
+              "-D 'compiler_flags=-D \"x\"' -P '" + script + "' 2>&1");
+    return output_of("cat '" + values + "'");
   }
   void SetUp() override { std::filesystem::create_directory(tree_); }
 
