@@ -17,7 +17,7 @@ using native::Load;
 
 /// What the list reaches beyond touching, as shares of the smallest diameter. A small skin leaves few open pairs in the
 /// list, a large one lasts longer; the engine looks for the balance, and no result depends on it.
-constexpr double first_skin = 0.01, smallest_skin = 0.002, largest_skin = 0.1;
+constexpr double smallest_skin = 0.002, largest_skin = 0.1;
 /// Steps that a list should last: fewer, and the skin grows; more, and it shrinks.
 constexpr std::int64_t shortest_age = 40, longest_age = 160;
 
@@ -25,7 +25,8 @@ bool mobile(Role role) { return role == Role::mobile; }
 
 }  // namespace
 
-NativeEngine::NativeEngine() : contact_pass_(native::contact_pass()), motion_pass_(native::motion_pass()) {}
+NativeEngine::NativeEngine(double first_skin)
+    : first_skin_(first_skin), contact_pass_(native::contact_pass()), motion_pass_(native::motion_pass()) {}
 NativeEngine::~NativeEngine() = default;
 
 void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings) {
@@ -56,7 +57,7 @@ void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings
   list_ = std::make_unique<native::PairList>();
   largest_diameter_ = 2.0 * largest;
   smallest_diameter_ = 2.0 * assembly.smallest_radius();
-  skin_ = first_skin * smallest_diameter_;
+  skin_ = first_skin_ * smallest_diameter_;
   list_age_ = 0;
   const double least_period = 2.0 * (largest_diameter_ + largest_skin * smallest_diameter_);
   for (int axis = 0; axis < 3; ++axis)

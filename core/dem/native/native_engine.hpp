@@ -16,7 +16,8 @@ namespace flowslide {
 /// building the list and any instruction set. One thread; ranks of MPI each compute the same.
 class NativeEngine : public Engine {
  public:
-  NativeEngine();
+  /// `first_skin`: what the list reaches beyond touching at first, as a share of the smallest diameter.
+  explicit NativeEngine(double first_skin = 0.01);
   ~NativeEngine() override;
 
   void load(const Assembly& assembly, const EngineSettings& settings) override;
@@ -37,6 +38,7 @@ class NativeEngine : public Engine {
   void move_grains(native::MotionPart part);
   void evaluate_forces(bool last);
 
+  double first_skin_;
   EngineSettings settings_;
   std::vector<Role> role_;
   std::vector<native::Body> bodies_;   ///< two more than grains: they pad the pair list
