@@ -9,7 +9,6 @@
 
 #include "app/error.hpp"
 #include "app/ranks.hpp"
-#include "app/sample_cache.hpp"
 #include "curve_metrics.hpp"
 #include "dem/liggghts/commands.hpp"
 #include "dem/make_engine.hpp"
@@ -38,6 +37,7 @@ CaseDescription UndrainedCase::description() const {
 
 void UndrainedCase::read(const Configuration& configuration) {
   engine_ = configuration.text("engine", engine_names());
+  preparation_engine_ = configuration.text("preparation.engine", engine_names());
   slope_ = read_slope(configuration);
   material_ = read_material(configuration);
   seed_ = configuration.integer("seed", Range::between(0, 1e9));
@@ -102,7 +102,7 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
                      sample.target.void_ratio, sample.target.tolerance, sample.recipe.preparation_friction,
                      sample.recipe.drag, sample.recipe.packing.seed);
   out << fmt::format("# key of its first trial in the cache: {}\n",
-                     cache_key(sample.recipe, engine_ + " " + make_engine(engine_, "/dev/null")->version()));
+                     cache_key(sample.recipe, preparation_engine_ + " " + make_engine(preparation_engine_, "/dev/null")->version()));
   if (engine_ == "liggghts") {
     Assembly assembly = lattice_packing(sample.recipe.packing);
     assembly.cell.periodic = {true, true, false};
@@ -115,10 +115,16 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
                      planned.test.row_steps(time_step_).size());
 }
 
+FoundSample UndrainedCase::prepare(const Curve& curve, const PointRun& run) const {
+  const auto engine =
+      make_engine(preparation_engine_, run.output.file(curve.point.name + ".preparation.log"));
+  return find_sample(*engine, sample_of(curve), sample_cache_folder(), run.progress);
+}
+
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const Curve& running = curve(point.name);
+  const FoundSample found = prepare(running, run);
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
-  const FoundSample found = find_sample(*engine, sample_of(running), sample_cache_folder(), run.progress);
 
   DemSample sample(*engine, found.sample.assembly, {material_, time_step_, 0.0});
   Progress progress(point.name, running.test.steps(time_step_), run.progress);

@@ -5,6 +5,7 @@
 #include "app/case_program.hpp"
 #include "app/element_test.hpp"
 #include "app/models.hpp"
+#include "app/sample_cache.hpp"
 
 namespace flowslide {
 
@@ -32,9 +33,11 @@ class UndrainedCase : public Case {
  private:
   void read_curve(const Configuration& configuration, const std::string& name, int replicate);
   const Curve& curve(const std::string& name) const;
+  /// The sample of a curve, from the cache or by the engine of the preparation.
+  FoundSample prepare(const Curve& curve, const PointRun& run) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
-  std::string engine_;
+  std::string engine_, preparation_engine_;
   std::int64_t seed_ = 1;
   double time_step_ = 0.0;
   Material material_;
