@@ -23,6 +23,13 @@ constexpr std::int64_t shortest_age = 40, longest_age = 160;
 
 bool mobile(Role role) { return role == Role::mobile; }
 
+Vector3 folded(const Cell& cell, Vector3 position) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (cell.periodic[axis])
+      position[axis] -= cell.lengths()[axis] * std::floor((position[axis] - cell.lower[axis]) / cell.lengths()[axis]);
+  return position;
+}
+
 }  // namespace
 
 NativeEngine::NativeEngine(double first_skin)
@@ -38,7 +45,7 @@ void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     Body& body = bodies_[i];
-    Vector3::Map(body.position) = assembly.position[i];
+    Vector3::Map(body.position) = folded(assembly.cell, assembly.position[i]);
     Vector3::Map(body.velocity) = assembly.velocity[i];
     Vector3::Map(body.spin) = assembly.spin[i];
     body.radius = assembly.radius[i];
@@ -76,6 +83,11 @@ void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings
   const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
   for (const Contact& contact : forces.contacts)
     for (int axis = 0; axis < 2; ++axis) virial_[axis] += contact.branch[axis] * contact.force.on_first[axis];
+  // Planes and drag see the velocities of the half step.
+  std::vector<Body> half = bodies_;
+  for (std::size_t i = 0; i < n; ++i) Vector3::Map(half[i].velocity) -= kick_[i] * assembly.force[i];
+  std::vector<Load> nowhere(n + 2, Load{});
+  boundaries_->push(half, role_, nowhere);
 }
 
 void NativeEngine::prepare_law() {
@@ -102,15 +114,25 @@ void NativeEngine::prepare_law() {
                                         : native::LawVariant::frictionless;
 }
 
+void NativeEngine::fold() {
+  // At every step, not when the list is built: a folded coordinate rounds differently.
+  const Cell& cell = boundaries_->cell();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!cell.periodic[axis]) continue;
+    const double lower = cell.lower[axis], upper = cell.upper[axis], length = upper - lower;
+    for (std::size_t i = 0; i < role_.size(); ++i) {
+      double& x = bodies_[i].position[axis];
+      if (x >= lower && x < upper) continue;
+      if (!std::isfinite(x)) continue;  // lost: count_grains says so
+      const int periods = x < lower ? 1 : -1;
+      x += periods * length;
+      list_->carry(static_cast<std::uint32_t>(i), axis, periods);
+    }
+  }
+}
+
 void NativeEngine::rebuild() {
   const Cell& cell = boundaries_->cell();
-  for (std::size_t i = 0; i < role_.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!cell.periodic[axis]) continue;
-      double& x = bodies_[i].position[axis];
-      const double length = cell.lengths()[axis];
-      x -= length * std::floor((x - cell.lower[axis]) / length);
-    }
   if (list_age_ > 0) {  // not the first
     if (list_age_ < shortest_age) skin_ = std::min(1.5 * skin_, largest_skin * smallest_diameter_);
     if (list_age_ > longest_age) skin_ = std::max(0.8 * skin_, smallest_skin * smallest_diameter_);
@@ -137,6 +159,7 @@ void NativeEngine::move_grains(native::MotionPart part) {
   const double approach = 2.0 * std::sqrt(squared) + boundaries_->mean_flow_speed(largest_diameter_ + skin_);
   skin_left_ -= settings_.time_step * approach;
   ++list_age_;
+  fold();
   if (!(skin_left_ > 0.0)) rebuild();
 }
 
@@ -199,12 +222,6 @@ Assembly NativeEngine::save() const {
   assembly.resize(role_.size());
   for (std::size_t i = 0; i < role_.size(); ++i) {
     assembly.position[i] = Vector3::Map(bodies_[i].position);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!assembly.cell.periodic[axis]) continue;
-      const double length = assembly.cell.lengths()[axis];
-      double& x = assembly.position[i][axis];
-      x -= length * std::floor((x - assembly.cell.lower[axis]) / length);
-    }
     assembly.velocity[i] = Vector3::Map(bodies_[i].velocity);
     assembly.spin[i] = Vector3::Map(bodies_[i].spin);
     assembly.force[i] = Vector3::Map(loads_[i].force);

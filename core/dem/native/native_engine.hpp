@@ -34,6 +34,7 @@ class NativeEngine : public Engine {
 
  private:
   void prepare_law();
+  void fold();
   void rebuild();
   void move_grains(native::MotionPart part);
   void evaluate_forces(bool last);

@@ -72,6 +72,15 @@ void PairList::fill_constants(const std::vector<Body>& bodies) {
   }
 }
 
+void PairList::carry(std::uint32_t grain, int axis, int periods) {
+  const std::array<int, 3> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const int change = periods * (image_of(x[axis], y[axis], z[axis]) - image_of(0, 0, 0));
+  for (std::size_t p = 0; p < pairs_; ++p) {
+    const int side = (columns_.first[p] == grain) - (columns_.second[p] == grain);
+    columns_.image[p] = static_cast<std::uint8_t>(columns_.image[p] + side * change);
+  }
+}
+
 void PairList::set_histories(const std::vector<ContactHistory>& contacts) {
   std::size_t c = 0;
   for (std::size_t p = 0; p < pairs_; ++p) {

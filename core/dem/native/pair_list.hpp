@@ -15,6 +15,8 @@ class PairList {
   /// Builds the list anew from `bodies` (folded into the cell by the caller; the last two stand in for no grain and pad
   /// the last tile) and keeps the histories of pairs that were in the list before.
   void build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role, double skin);
+  /// A grain was folded by so many periods, 1 or -1, along an axis: its pairs meet other images.
+  void carry(std::uint32_t grain, int axis, int periods);
   /// Forgets all histories and takes these; the list must have been built.
   void set_histories(const std::vector<ContactHistory>& contacts);
   /// Histories of the pairs that touch.
