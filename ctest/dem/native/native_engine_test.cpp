@@ -143,6 +143,45 @@ std::vector<TouchingPair> every_touching_pair(const Assembly& a) {
   return pairs;
 }
 
+/// Two grains just beyond the skin that approach as fast as the bound on their approach allows.
+void expect_found_in_time(Assembly pair, const BoundaryMotion& motion, const char* how) {
+  constexpr double skin = 0.02, time_step = 1e-6;
+  NativeEngine engine(skin);
+  engine.load(pair, {Material{}, time_step, 0.0});
+  engine.move(motion);
+  for (int s = 0; s < 200; ++s) {
+    engine.run(1);
+    const Assembly now = engine.save();
+    const auto touching = every_touching_pair(now);
+    ASSERT_EQ(now.contacts.size(), touching.size()) << how << ", step " << s;
+    if (!touching.empty()) return;
+  }
+  FAIL() << how << ": they never met";
+}
+
+TEST(NativeEngine, FindsPairsThatMeetHeadOnOrCarriedByTheBoundaries) {
+  Assembly pair = clustered_cloud(1, cube(0.04, false), {.grains = 2, .smallest = 3e-3, .largest = 3e-3});
+  pair.cell.periodic = {true, true, false};
+  pair.contacts.clear();
+  for (Vector3& spin : pair.spin) spin.setZero();
+  const auto apart = [&](const Vector3& direction, const Vector3& velocity) {
+    Assembly both = pair;
+    const Vector3 half = 0.5 * (6e-3 + 1.05 * 0.02 * 6e-3) * direction.normalized();
+    both.position = {-half, half};
+    both.velocity = {velocity, -velocity};
+    return both;
+  };
+  expect_found_in_time(apart({1, 0, 0}, {1, 0, 0}), {}, "head on");
+  const Vector3 still = Vector3::Zero();
+  expect_found_in_time(apart({1, 0, 0}, still), {still, still, 500.0, 0.0}, "compressed along x");
+  expect_found_in_time(apart({0, 1, 0}, still), {still, still, 0.0, 500.0}, "compressed along y");
+  // Both move with the mean flow, so that nothing but its gradient brings them together.
+  const Vector3 top(40.0, 0.0, 0.0);
+  Assembly carried = apart({1, 0, -1}, still);
+  for (std::size_t i = 0; i < 2; ++i) carried.velocity[i] = (carried.position[i].z() + 0.02) / 0.04 * top;
+  expect_found_in_time(carried, {still, top, 0.0, 0.0}, "sheared");
+}
+
 TEST(NativeEngine, LosesNoPairOfTenThousandRandomCloudsInMotion) {
   std::size_t contacts = 0, fresh = 0;
   for (std::uint64_t seed = 0; seed < 10000; ++seed) {
