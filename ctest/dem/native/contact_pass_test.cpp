@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -233,6 +235,65 @@ TEST(ContactPass, VirialIsTheSumOverPairs) {
     EXPECT_NEAR(virial[axis], sum, 1e-14 * size);  // 256 rounded terms
     EXPECT_GT(size, 0.0);
   }
+}
+
+/// Bodies with loads on them, one in three glued.
+struct MovingBodies {
+  explicit MovingBodies(std::size_t count = 41) : bodies(RandomPairs(7).bodies), loads(count, Load{}) {
+    Dice dice(8);
+    bodies.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Vector3::Map(loads[i].force) = dice.vector(1.0);
+      Vector3::Map(loads[i].torque) = dice.vector(1e-3);
+      kick.push_back(i % 3 == 0 ? 0.0 : 0.5 * step / bodies[i].mass);
+      twist.push_back(i % 3 == 0 ? 0.0 : 0.5 * step / bodies[i].inertia);
+    }
+  }
+  double move(MotionPass pass, MotionPart part) {
+    return pass(part, bodies.size(), step, kick.data(), twist.data(), flow, bodies.data(), loads.data());
+  }
+  std::vector<Body> bodies;
+  std::vector<Load> loads;
+  std::vector<double> kick, twist;
+  MeanFlow flow{{0.1, 0.2, 0.3, 0.0}, {3.0, 2.0, 1.0, 0.0}, 0.01};
+};
+
+TEST(MotionPass, IsVelocityVerletAndEveryInstructionSetGivesItsBits) {
+  for (const MotionPart part : {MotionPart::end, MotionPart::begin, MotionPart::end_and_begin})
+    for (const char* set : {"baseline", "avx2", "avx512"}) {
+      const MotionPass pass = motion_pass(set);
+      if (!pass) continue;
+      MovingBodies moving;
+      const MovingBodies before;
+      const double returned = moving.move(pass, part);
+      double fastest = 0.0;
+      for (std::size_t i = 0; i < before.bodies.size(); ++i) {
+        const Body& body = before.bodies[i];
+        const int kicks = part == MotionPart::end_and_begin ? 2 : 1;
+        Vector3 velocity = Vector3::Map(body.velocity), spin = Vector3::Map(body.spin);
+        for (int k = 0; k < kicks; ++k) {
+          velocity += before.kick[i] * Vector3::Map(before.loads[i].force);
+          spin += before.twist[i] * Vector3::Map(before.loads[i].torque);
+        }
+        Vector3 position = Vector3::Map(body.position);
+        const Vector3 flow =
+            Vector3::Map(moving.flow.base) + (position.z() - moving.flow.origin) * Vector3::Map(moving.flow.slope);
+        if (part != MotionPart::end) position += step * velocity;
+        fastest = std::max(fastest, (velocity - flow).squaredNorm());
+        EXPECT_EQ(Vector3::Map(moving.bodies[i].velocity), velocity) << set;
+        EXPECT_EQ(Vector3::Map(moving.bodies[i].spin), spin) << set;
+        EXPECT_EQ(Vector3::Map(moving.bodies[i].position), position) << set;
+        EXPECT_EQ(moving.bodies[i].radius, body.radius);
+        EXPECT_EQ(moving.bodies[i].mass, body.mass);
+        EXPECT_EQ(moving.bodies[i].inertia, body.inertia);
+        // A beginning leaves no load behind, an end leaves all of it.
+        const double left = part == MotionPart::end ? 1.0 : 0.0;
+        EXPECT_EQ(Vector3::Map(moving.loads[i].force), left * Vector3::Map(before.loads[i].force));
+        EXPECT_EQ(Vector3::Map(moving.loads[i].torque), left * Vector3::Map(before.loads[i].torque));
+      }
+      // A few rounded sums.
+      EXPECT_NEAR(returned, part == MotionPart::end ? 0.0 : fastest, 2e-15 * fastest) << set;
+    }
 }
 
 TEST(ContactPass, KnowsNoOtherInstructionSet) {
