@@ -16,7 +16,6 @@
 #include <update.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -183,31 +182,18 @@ void LiggghtsEngine::advance(int steps) {
 }
 
 CellStress LiggghtsEngine::cell_stress() const {
-  const SteeringFix::Sums sums = steering_->sums();
-  const double* virial = (*instance_)->force->pair->virial;
-  std::array<double, 14> values;
-  auto out = values.begin();
-  for (const Vector3* part : {&sums.mobile_height_times_force, &sums.top_force, &sums.mobile_moment,
-                              &sums.upper_plane})
-    out = std::copy(part->begin(), part->end(), out);
-  values[12] = virial[0];
-  values[13] = virial[1];
-  sum_over_ranks(values.data(), values.size());
-  const Cell& cell = steering_->cell();
-  const double volume = cell.volume();
-  const Vector3 section = (Vector3::Map(&values[0]) - cell.height() * Vector3::Map(&values[3])) / volume;
-  const auto lateral = [&](int axis) {
-    // A rigid axis has the cheap form as well; along a periodic one only pairs know the branch vector.
-    return cell.periodic[axis] ? values[12 + axis] / volume
-                               : (values[6 + axis] - cell.lengths()[axis] * values[9 + axis]) / volume;
-  };
-  return {section.z(), -section.x(), -section.y(), lateral(0), lateral(1)};
+  StressSums sums = steering_->sums();
+  sums.pair_virial_x = (*instance_)->force->pair->virial[0];
+  sums.pair_virial_y = (*instance_)->force->pair->virial[1];
+  static_assert(sizeof(StressSums) == 14 * sizeof(double), "summed over the ranks as numbers in a row");
+  MPI_Allreduce(MPI_IN_PLACE, &sums, 14, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return stress_of(sums, steering_->cell());
 }
 
 Cell LiggghtsEngine::cell() const { return steering_->cell(); }
 
 std::uint64_t LiggghtsEngine::count_grains() const {
-  std::uint64_t count = steering_->sums().grains;
+  std::uint64_t count = steering_->grains_inside();
   MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
   return count;
 }

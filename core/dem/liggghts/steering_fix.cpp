@@ -114,29 +114,35 @@ void SteeringFix::drag_grains() {
   }
 }
 
-SteeringFix::Sums SteeringFix::sums() const {
-  Sums sums;
+StressSums SteeringFix::sums() const {
+  StressSums sums;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const auto position = Vector3::Map(atom->x[i]);
     const auto total_force = Vector3::Map(atom->f[i]);
     const Role role = role_of(atom->type[i]);
     if (role == Role::mobile) {
-      const Vector3 from_lower = position - cell_.lower;
+      const Vector3 from_lower = Vector3::Map(atom->x[i]) - cell_.lower;
       sums.mobile_height_times_force += from_lower.z() * total_force;
       sums.mobile_moment += from_lower.cwiseProduct(total_force);
     }
     if (role == Role::top_layer) sums.top_force -= total_force;
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis)
-      inside = inside && (cell_.periodic[axis] || (position[axis] >= cell_.lower[axis] &&
-                                                   position[axis] <= cell_.upper[axis]));
-    sums.grains += inside;
   }
   sums.mobile_height_times_force -= drag_height_times_force_;
   sums.mobile_moment -= drag_moment_;
   sums.top_force.z() += upper_plane_.z();
   sums.upper_plane = upper_plane_;
   return sums;
+}
+
+std::uint64_t SteeringFix::grains_inside() const {
+  std::uint64_t count = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside = inside && (cell_.periodic[axis] || (atom->x[i][axis] >= cell_.lower[axis] &&
+                                                   atom->x[i][axis] <= cell_.upper[axis]));
+    count += inside;
+  }
+  return count;
 }
 
 }  // namespace flowslide

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dem/engine.hpp"
+#include "dem/stress_sums.hpp"
 
 namespace flowslide {
 
@@ -24,15 +25,10 @@ class SteeringFix : public LAMMPS_NS::Fix {
   void set(const EngineSettings& settings) { settings_ = settings; }
   const Cell& cell() const { return cell_; }
 
-  /// Sums over the grains of this rank, of the last evaluation of forces, drag left out: N m, N.
-  struct Sums {
-    Vector3 mobile_height_times_force = Vector3::Zero();  ///< sum of z f, z from the bottom plane
-    Vector3 top_force = Vector3::Zero();                  ///< of the top layer and its plane on mobile grains
-    Vector3 mobile_moment = Vector3::Zero();              ///< sums of x f_x, y f_y, z f_z from the lower planes
-    Vector3 upper_plane = Vector3::Zero();                ///< forces of the upper planes, each along its axis
-    std::uint64_t grains = 0;                             ///< with the centre inside the planes
-  };
-  Sums sums() const;
+  /// Sums over the grains of this rank, of the last evaluation of forces; the virials of pairs are not among them.
+  StressSums sums() const;
+  /// Grains of this rank with their centre inside the planes.
+  std::uint64_t grains_inside() const;
 
  private:
   void carry_layers(double step);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/stress_sums.hpp"
 #include "grains/contact_forces.hpp"
 #include "grains/contact_law.hpp"
 
@@ -179,25 +180,23 @@ void NativeEngine::run(std::int64_t steps) {
 }
 
 CellStress NativeEngine::cell_stress() const {
-  const Cell& cell = boundaries_->cell();
-  Vector3 height_times_force = -boundaries_->drag_height_times_force(), moment = -boundaries_->drag_moment();
-  Vector3 top = Vector3::Zero();
+  const Vector3 lower = boundaries_->cell().lower;
+  StressSums sums;
   for (std::size_t i = 0; i < role_.size(); ++i) {
     const auto force = Vector3::Map(loads_[i].force);
-    if (role_[i] == Role::top_layer) top -= force;
+    if (role_[i] == Role::top_layer) sums.top_force -= force;
     if (!mobile(role_[i])) continue;
-    const Vector3 position = Vector3::Map(bodies_[i].position) - cell.lower;
-    height_times_force += position.z() * force;
-    moment += position.cwiseProduct(force);
+    const Vector3 position = Vector3::Map(bodies_[i].position) - lower;
+    sums.mobile_height_times_force += position.z() * force;
+    sums.mobile_moment += position.cwiseProduct(force);
   }
-  top.z() += boundaries_->upper_plane().z();
-  const Vector3 section = (height_times_force - cell.height() * top) / cell.volume();
-  const auto lateral = [&](int axis) {
-    return (cell.periodic[axis] ? virial_[axis]
-                                : moment[axis] - cell.lengths()[axis] * boundaries_->upper_plane()[axis]) /
-           cell.volume();
-  };
-  return {section.z(), -section.x(), -section.y(), lateral(0), lateral(1)};
+  sums.mobile_height_times_force -= boundaries_->drag_height_times_force();
+  sums.mobile_moment -= boundaries_->drag_moment();
+  sums.top_force.z() += boundaries_->upper_plane().z();
+  sums.upper_plane = boundaries_->upper_plane();
+  sums.pair_virial_x = virial_[0];
+  sums.pair_virial_y = virial_[1];
+  return stress_of(sums, boundaries_->cell());
 }
 
 Cell NativeEngine::cell() const { return boundaries_->cell(); }
