@@ -6,17 +6,16 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <limits>
 
 namespace flowslide {
 namespace {
 
-constexpr double started_from = 1e-3;       ///< strain within which the sudden start of a fast test dies away
-constexpr double first_window = 0.05;       ///< strain within which the first peak lies
-constexpr double liquefied_from = 0.10;     ///< strain from which the loosest sample has been liquefied for long
-constexpr double regain_from = 0.25;        ///< "when shear strain develops more than 25 %"
-constexpr double quasi_static = 1e-3;       ///< inertial number up to which shearing is nearly quasi-static
-constexpr double carries_stress = 0.01;     ///< share of sigma_0 above which a sample is not liquefied
+constexpr double started_from = 1e-3;    ///< strain within which the sudden start of a fast test dies away
+constexpr double first_window = 0.05;    ///< strain within which the first peak lies
+constexpr double liquefied_from = 0.10;  ///< strain from which the loosest sample has been liquefied for long
+constexpr double regain_from = 0.25;     ///< "when shear strain develops more than 25 %"
+constexpr double quasi_static = 1e-3;    ///< inertial number up to which shearing is nearly quasi-static
+constexpr double carries_stress = 0.01;  ///< share of sigma_0 above which a sample is not liquefied
 
 class Record {
  public:
@@ -88,8 +87,8 @@ void add_liquefaction(std::vector<Metric>& metrics, const Record& record) {
   metrics.push_back({"mean_liquefied_shear", record.mean("shear_stress", liquefied_from, end) / record.scale(), "1",
                      "mean shear stress beyond 10 % strain over sigma_0"});
   const double lowest = record.smallest("normal_stress", 0.0, regain_from);
-  metrics.push_back({"lowest_normal", lowest / record.scale(), "1",
-                     "lowest normal stress up to 25 % strain over sigma_0"});
+  metrics.push_back(
+      {"lowest_normal", lowest / record.scale(), "1", "lowest normal stress up to 25 % strain over sigma_0"});
   metrics.push_back({"regained_shear", record.largest("shear_stress", regain_from, end) / record.scale(), "1",
                      "largest shear stress beyond 25 % strain over sigma_0"});
   double low_strain = 0.0;
@@ -131,8 +130,9 @@ void add_formulas(std::vector<Metric>& metrics, const Record& record) {
     });
     return difference / largest;
   };
-  metrics.push_back({"bagi_nicot_difference", apart(started_from, record.final_strain()), "1",
-                     "largest difference of Bagi's and Nicot's stress beyond 0.1 % strain over the largest shear stress"});
+  metrics.push_back(
+      {"bagi_nicot_difference", apart(started_from, record.final_strain()), "1",
+       "largest difference of Bagi's and Nicot's stress beyond 0.1 % strain over the largest shear stress"});
   metrics.push_back({"bagi_nicot_difference_at_start", apart(0.0, started_from), "1",
                      "the same up to 0.1 % strain, where torques have not balanced yet"});
 }

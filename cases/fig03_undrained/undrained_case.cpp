@@ -31,8 +31,11 @@ std::string point_name(const std::string& curve, int replicate) {
 }  // namespace
 
 CaseDescription UndrainedCase::description() const {
-  return {"fig03_undrained", "Constant-volume simple shear of loose packings (Figs. 2, 3 and 4)", FLOWSLIDE_VERSION,
-          {"Fig. 2", "Fig. 3", "Fig. 4"}, engine_names()};
+  return {"fig03_undrained",
+          "Constant-volume simple shear of loose packings (Figs. 2, 3 and 4)",
+          FLOWSLIDE_VERSION,
+          {"Fig. 2", "Fig. 3", "Fig. 4"},
+          engine_names()};
 }
 
 void UndrainedCase::read(const Configuration& configuration) {
@@ -73,8 +76,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   curve.test.final_strain = configuration.number(table + "final_strain", Range::above_up_to(0.0, 100.0));
   curve.test.rows = static_cast<int>(configuration.integer("shear.rows", Range::between(10, 100000)));
   if (configuration.has(table + "picture_strain"))
-    curve.picture_strain =
-        configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
+    curve.picture_strain = configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
 
   const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
   const auto steps = static_cast<double>(curve.test.steps(time_step_));
@@ -101,14 +103,14 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
   out << fmt::format("# sample {}: e0 = {} +- {}, search from mu_1 = {} and a drag of {} kg/s, seed {}\n", sample.name,
                      sample.target.void_ratio, sample.target.tolerance, sample.recipe.preparation_friction,
                      sample.recipe.drag, sample.recipe.packing.seed);
-  out << fmt::format("# key of its first trial in the cache: {}\n",
-                     cache_key(sample.recipe, preparation_engine_ + " " + make_engine(preparation_engine_, "/dev/null")->version()));
+  out << fmt::format(
+      "# key of its first trial in the cache: {}\n",
+      cache_key(sample.recipe, preparation_engine_ + " " + make_engine(preparation_engine_, "/dev/null")->version()));
   if (engine_ == "liggghts") {
     Assembly assembly = lattice_packing(sample.recipe.packing);
     assembly.cell.periodic = {true, true, false};
     out << "# LIGGGHTS, with the box of the loose packing in place of the sample's:\n";
-    for (const auto& line : setup_commands(assembly, {material_, time_step_, 0.0}))
-      out << line << "\n";
+    for (const auto& line : setup_commands(assembly, {material_, time_step_, 0.0})) out << line << "\n";
     for (const auto& line : grain_commands()) out << line << "\n";
   }
   out << fmt::format("# {} steps of {} s, {} rows\n", planned.test.steps(time_step_), time_step_,
@@ -116,8 +118,7 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
 }
 
 FoundSample UndrainedCase::prepare(const Curve& curve, const PointRun& run) const {
-  const auto engine =
-      make_engine(preparation_engine_, run.output.file(curve.point.name + ".preparation.log"));
+  const auto engine = make_engine(preparation_engine_, run.output.file(curve.point.name + ".preparation.log"));
   return find_sample(*engine, sample_of(curve), sample_cache_folder(), run.progress);
 }
 
@@ -129,12 +130,13 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
   DemSample sample(*engine, found.sample.assembly, {material_, time_step_, 0.0});
   Progress progress(point.name, running.test.steps(time_step_), run.progress);
   Pictures pictures(running.picture_strain);
-  const Series series = run_element_test(sample, running.test, [&](std::int64_t steps, const Assembly& assembly,
-                                                                   const Series& so_far) {
-    pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
-    progress.update(steps, fmt::format("strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa",
-                                       100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
-  });
+  const Series series =
+      run_element_test(sample, running.test, [&](std::int64_t steps, const Assembly& assembly, const Series& so_far) {
+        pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
+        progress.update(steps,
+                        fmt::format("strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", 100.0 * sample.shear_strain(),
+                                    sample.stress().shear, sample.stress().normal));
+      });
 
   Result result{run.provenance, run.configuration, run.configuration_hash, series,
                 curve_metrics(series, sample_of(running).recipe.normal_stress, found)};
@@ -154,7 +156,8 @@ std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path
                                                      const std::vector<std::string>& points) const {
   std::map<std::string, double> all;
   for (const std::string& name : points)
-    for (const Metric& metric : read_result(folder / (name + ".h5")).metrics) all[name + "." + metric.name] = metric.value;
+    for (const Metric& metric : read_result(folder / (name + ".h5")).metrics)
+      all[name + "." + metric.name] = metric.value;
   const auto slow = all.find("I_1e-4.peak_shear_stress"), fast = all.find("I_2e-2.peak_shear_stress");
   if (slow != all.end() && fast != all.end()) all["rate_effect"] = fast->second / slow->second;
   return all;

@@ -65,11 +65,11 @@ class CaseProgram {
         continue;
       }
       std::string figures;
-      for (const std::string& figure : point.figures)
-        figures += (figures.empty() ? "" : ", ") + quoted(figure);
-      text += fmt::format("{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
-                          "\"description\": {}}}", first ? "" : ",", quoted(point.name), figures,
-                          point.predicted_seconds, quoted(point.description));
+      for (const std::string& figure : point.figures) figures += (figures.empty() ? "" : ", ") + quoted(figure);
+      text += fmt::format(
+          "{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
+          "\"description\": {}}}",
+          first ? "" : ",", quoted(point.name), figures, point.predicted_seconds, quoted(point.description));
       first = false;
     }
     std::cout << text << (options_.json ? "\n]}\n" : "");
@@ -99,8 +99,10 @@ class CaseProgram {
       const auto file = output->file(point.name + ".h5");
       complete = is_complete(file, hash);
       if (!complete && std::filesystem::exists(file))  // not to be found out when the run is over
-        throw ConfigurationError(fmt::format("{} is damaged or of another configuration; delete it and run that point "
-                                             "again", file.string()));
+        throw ConfigurationError(
+            fmt::format("{} is damaged or of another configuration; delete it and run that point "
+                        "again",
+                        file.string()));
     });
     complete = same_on_all_ranks(complete);
     if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_.description().name));
@@ -108,8 +110,8 @@ class CaseProgram {
                  ProgressStyle::of_stderr(mpi_rank())};
     if (complete) {
       if (first_rank())
-        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n", point.name,
-                                 read_result(output->file(point.name + ".h5")).provenance.git_revision);
+        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
+                                 point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }
     run.provenance.mpi_ranks = mpi_ranks();
@@ -146,10 +148,11 @@ class CaseProgram {
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name) || !std::filesystem::exists(output.file(point.name + ".h5"))) continue;
       if (const std::string hash = output.hash_of(point.name); hash != configuration_.hash())
-        throw ConfigurationError(fmt::format(
-            "the results of {} in {} were made with the configuration {}, not with this one, {}; give --check the options "
-            "they were made with, or choose their folder with --output",
-            point.name, output.path().string(), hash, configuration_.hash()));
+        throw ConfigurationError(
+            fmt::format("the results of {} in {} were made with the configuration {}, not with this one, {}; give "
+                        "--check the options "
+                        "they were made with, or choose their folder with --output",
+                        point.name, output.path().string(), hash, configuration_.hash()));
       present.push_back(point.name);
     }
     return present;

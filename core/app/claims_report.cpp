@@ -84,10 +84,10 @@ std::string markdown_table(const std::vector<Verdict>& verdicts) {
       "|---|---|---|---|---|---|\n";
   for (const Verdict& verdict : verdicts) {
     const std::string word = verdict.met ? "met" : fmt::format("**not met**: {}", verdict.reason);
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} |\n", markdown_cell(verdict.claim.figure),
-                    markdown_cell(verdict.claim.sentence), markdown_cell(fmt::format("`{}` {}", verdict.claim.metric, verdict.claim.expectation())),
-                    markdown_cell(measured_text(verdict)), markdown_cell(word), markdown_cell(verdict.claim.origin));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} |\n", markdown_cell(verdict.claim.figure), markdown_cell(verdict.claim.sentence),
+        markdown_cell(fmt::format("`{}` {}", verdict.claim.metric, verdict.claim.expectation())),
+        markdown_cell(measured_text(verdict)), markdown_cell(word), markdown_cell(verdict.claim.origin));
   }
   return text;
 }

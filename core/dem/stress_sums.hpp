@@ -4,8 +4,8 @@
 
 namespace flowslide {
 
-/// What an engine sums up for the stress of its cell without a loop over pairs, of the last evaluation of forces, without
-/// drag: N m and N, positions from the lower planes.
+/// What an engine sums up for the stress of its cell without a loop over pairs, of the last evaluation of forces,
+/// without drag: N m and N, positions from the lower planes.
 struct StressSums {
   Vector3 mobile_height_times_force = Vector3::Zero();  ///< sum over mobile grains of z f
   Vector3 mobile_moment = Vector3::Zero();              ///< sums over mobile grains of x f_x, y f_y, z f_z
@@ -14,8 +14,8 @@ struct StressSums {
   double pair_virial_x = 0.0, pair_virial_y = 0.0;      ///< sums over pairs of l_x f_x and l_y f_y
 };
 
-/// Bagi's stress (eq. 12) of horizontal sections, in the form of `section_stress_from_forces`, and the lateral stresses:
-/// a rigid axis has that form as well, along a periodic one only pairs know the branch vector.
+/// Bagi's stress (eq. 12) of horizontal sections, in the form of `section_stress_from_forces`, and the lateral
+/// stresses: a rigid axis has that form as well, along a periodic one only pairs know the branch vector.
 inline CellStress stress_of(const StressSums& sums, const Cell& cell) {
   // Compression positive: sum of z f - H F_top; the sign of shear is turned, as in `slope_stress`.
   const Vector3 section = (sums.mobile_height_times_force - cell.height() * sums.top_force) / cell.volume();

@@ -17,18 +17,23 @@ void glue_layers(Assembly& assembly, double reach) {
     const bool top = assembly.cell.upper.z() - z - radius < reach;
     if (!bottom && !top) continue;
     if (bottom && top)
-      throw NumericalFailure(fmt::format("grain {} touches the bottom and the top: the cell is {} m high, too low for "
-                                         "two glued layers; use more lattice layers", i, assembly.cell.height()));
+      throw NumericalFailure(
+          fmt::format("grain {} touches the bottom and the top: the cell is {} m high, too low for "
+                      "two glued layers; use more lattice layers",
+                      i, assembly.cell.height()));
     assembly.role[i] = bottom ? Role::bottom_layer : Role::top_layer;
     assembly.velocity[i].setZero();
     assembly.spin[i].setZero();
     ++count[top];
   }
   if (count[0] == 0 || count[1] == 0)
-    throw NumericalFailure(fmt::format("{} grains touch the bottom and {} the top: no layer to glue; the sample is not "
-                                       "under stress", count[0], count[1]));
+    throw NumericalFailure(
+        fmt::format("{} grains touch the bottom and {} the top: no layer to glue; the sample is not "
+                    "under stress",
+                    count[0], count[1]));
   std::erase_if(assembly.contacts, [&](const ContactHistory& contact) {
-    return assembly.role[contact.first] != Role::mobile && assembly.role[contact.first] == assembly.role[contact.second];
+    return assembly.role[contact.first] != Role::mobile &&
+           assembly.role[contact.first] == assembly.role[contact.second];
   });
 }
 

@@ -126,11 +126,12 @@ class Preparation {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw NumericalFailure(fmt::format(
-        "sample preparation, stage {}, after {} steps: {} (e = {:.4f}, sigma = {:.5g} Pa, tau = {:.5g} Pa, lateral {:.5g} "
-        "and {:.5g} Pa); lower the servo rates, or the tolerance, or try another seed",
-        stage_, steps_, what, present_void_ratio(), stress_.normal, stress_.shear, stress_.lateral_x,
-        stress_.lateral_y));
+    throw NumericalFailure(
+        fmt::format("sample preparation, stage {}, after {} steps: {} (e = {:.4f}, sigma = {:.5g} Pa, tau = {:.5g} Pa, "
+                    "lateral {:.5g} "
+                    "and {:.5g} Pa); lower the servo rates, or the tolerance, or try another seed",
+                    stage_, steps_, what, present_void_ratio(), stress_.normal, stress_.shear, stress_.lateral_x,
+                    stress_.lateral_y));
   }
 
   Engine& engine_;

@@ -12,20 +12,23 @@
 namespace flowslide {
 namespace {
 
-constexpr double slope = 0.15;                                   ///< de_0/dmu_1 between mu_1 = 0.25 and 0.5
+constexpr double slope = 0.15;                                     ///< de_0/dmu_1 between mu_1 = 0.25 and 0.5
 constexpr double smallest_friction = 0.0, largest_friction = 0.6;  ///< beyond 0.5, mu = 0.5 collapses what is gained
-constexpr double densest = 0.55, loosest = 1.0;                  ///< random packings of spheres: 0.56 to about 0.9
+constexpr double densest = 0.55, loosest = 1.0;                    ///< random packings of spheres: 0.56 to about 0.9
 
 }  // namespace
 
 void validate(const VoidRatioTarget& target) {
   if (!(target.void_ratio > densest && target.void_ratio < loosest))
-    throw std::invalid_argument(fmt::format("the void ratio {} cannot be reached: packings of spheres at rest lie between "
-                                            "{} and {}", target.void_ratio, densest, loosest));
+    throw std::invalid_argument(
+        fmt::format("the void ratio {} cannot be reached: packings of spheres at rest lie between "
+                    "{} and {}",
+                    target.void_ratio, densest, loosest));
   if (!(target.tolerance > 0.0))
     throw std::invalid_argument(fmt::format("the tolerance {} of the void ratio must be > 0", target.tolerance));
   if (target.most_trials < 1)
-    throw std::invalid_argument(fmt::format("{} trials cannot find a void ratio; allow at least 1", target.most_trials));
+    throw std::invalid_argument(
+        fmt::format("{} trials cannot find a void ratio; allow at least 1", target.most_trials));
 }
 
 std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioTarget& target,
@@ -40,19 +43,18 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
     if (error(trials.back()) <= target.tolerance) return trials;
     offset_sum += trials.back().void_ratio - slope * recipe.preparation_friction;
     const double offset = offset_sum / static_cast<double>(trials.size());
-    recipe.preparation_friction =
-        std::clamp((target.void_ratio - offset) / slope, smallest_friction, largest_friction);
+    recipe.preparation_friction = std::clamp((target.void_ratio - offset) / slope, smallest_friction, largest_friction);
     recipe.packing.seed += 1;
   }
-  const Trial& nearest = *std::min_element(trials.begin(), trials.end(), [&](const Trial& a, const Trial& b) {
-    return error(a) < error(b);
-  });
+  const Trial& nearest = *std::min_element(trials.begin(), trials.end(),
+                                           [&](const Trial& a, const Trial& b) { return error(a) < error(b); });
   throw NumericalFailure(fmt::format(
       "no sample with the void ratio {} +- {} in {} trials; the nearest has {:.4f}, at the preparation friction {:.3f} "
       "and the drag {} kg/s. {}, or allow a wider tolerance or more trials",
       target.void_ratio, target.tolerance, trials.size(), nearest.void_ratio, nearest.recipe.preparation_friction,
-      nearest.recipe.drag, nearest.void_ratio < target.void_ratio ? "A larger drag opens looser samples"
-                                                                  : "A smaller drag opens denser samples"));
+      nearest.recipe.drag,
+      nearest.void_ratio < target.void_ratio ? "A larger drag opens looser samples"
+                                             : "A smaller drag opens denser samples"));
 }
 
 }  // namespace flowslide

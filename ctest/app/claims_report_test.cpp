@@ -40,12 +40,13 @@ TEST(TerminalTable, AlignsColumnsAndExplainsWhatIsNotMet) {
 }
 
 TEST(MarkdownTable, IsATableWhateverTheSentences) {
-  EXPECT_EQ(markdown_table(verdicts()),
-            "| Figure | The paper says | Expected | Measured | Verdict | Origin of the tolerance |\n"
-            "|---|---|---|---|---|---|\n"
-            "| Fig. 3A | It peaks \\| first. | `peak` > 2 kPa | 2.346 kPa | met | replicate spread |\n"
-            "| Fig. 3C | I \"exceeds\" 1e-3. | `none` between 0.001 and 0.5 | - | **not met**: the metric \"none\" was not "
-            "measured | published |\n");
+  EXPECT_EQ(
+      markdown_table(verdicts()),
+      "| Figure | The paper says | Expected | Measured | Verdict | Origin of the tolerance |\n"
+      "|---|---|---|---|---|---|\n"
+      "| Fig. 3A | It peaks \\| first. | `peak` > 2 kPa | 2.346 kPa | met | replicate spread |\n"
+      "| Fig. 3C | I \"exceeds\" 1e-3. | `none` between 0.001 and 0.5 | - | **not met**: the metric \"none\" was not "
+      "measured | published |\n");
 }
 
 TEST(Json, EscapesTextsAndHasNullForMissingNumbers) {

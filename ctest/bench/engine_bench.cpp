@@ -36,7 +36,8 @@ class Bench {
     SampleSpecification specification{"bench", {}, {0.78, 1.0, 1}};
     specification.recipe.packing.counts = lattice_of(grains);
     specification.recipe.stress_tolerance = 5e-3;
-    const FoundSample found = find_sample(*engine_, specification, sample_cache_folder(), ProgressStyle::of_stderr(mpi_rank()));
+    const FoundSample found =
+        find_sample(*engine_, specification, sample_cache_folder(), ProgressStyle::of_stderr(mpi_rank()));
     grains_ = found.sample.assembly.size();
     contacts_ = found.sample.assembly.contacts.size();
     assembly_ = found.sample.assembly;
@@ -110,13 +111,20 @@ int run(int argc, char** argv) {
   const int rounds = std::max(20, 200'000 / grains);
   const auto add = [&](const char* name, void (Bench::*what)(benchmark::State&)) {
     benchmark::RegisterBenchmark(name, [&bench, what](benchmark::State& state) { (bench.*what)(state); })
-        ->Unit(benchmark::kMicrosecond)->Iterations(rounds)->Repetitions(5)->ReportAggregatesOnly(true)->UseRealTime();
+        ->Unit(benchmark::kMicrosecond)
+        ->Iterations(rounds)
+        ->Repetitions(5)
+        ->ReportAggregatesOnly(true)
+        ->UseRealTime();
   };
   add("10 steps", &Bench::steps);
   add("10 steps, 1 exchange", &Bench::steps_and_exchange);
   add("1 exchange", &Bench::exchange);
   Silent silent;
-  if (mpi_rank() == 0) benchmark::RunSpecifiedBenchmarks(); else benchmark::RunSpecifiedBenchmarks(&silent);
+  if (mpi_rank() == 0)
+    benchmark::RunSpecifiedBenchmarks();
+  else
+    benchmark::RunSpecifiedBenchmarks(&silent);
   return to_int(ExitCode::ok);
 }
 

@@ -58,7 +58,8 @@ TEST(SlabStress, BulkOfAUniformLatticeIsTheStressOfItsSections) {
     assembly.velocity[i].setZero();
     assembly.spin[i].setZero();
     assembly.radius[i] = 3e-3;
-    assembly.position[i] = 5.988e-3 * ((assembly.position[i] / 5.988e-3 - Vector3::Constant(0.5)).array().round() + 0.5);
+    assembly.position[i] =
+        5.988e-3 * ((assembly.position[i] / 5.988e-3 - Vector3::Constant(0.5)).array().round() + 0.5);
   }
   const ContactForces forces = evaluate_contact_forces(assembly, Material{}, 0.0);
   const Matrix3 bagi = bagi_stress(assembly, forces), bulk = bulk_stress(assembly, forces);

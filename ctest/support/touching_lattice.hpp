@@ -12,7 +12,9 @@ namespace flowslide {
 inline Assembly touching_lattice(int side = 6, int layers = 7, unsigned seed = 1) {
   constexpr double diameter = 6e-3, spacing = 0.998 * diameter;
   std::mt19937_64 random(seed);
-  const auto noise = [&](double size) { return size * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0); };
+  const auto noise = [&](double size) {
+    return size * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0);
+  };
   Assembly assembly;
   assembly.cell.upper = {side * spacing, side * spacing, layers * spacing};
   assembly.cell.periodic = {true, true, false};

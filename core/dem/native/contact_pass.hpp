@@ -20,7 +20,7 @@ struct alignas(32) Body {
 
 /// What acts on a grain.
 struct alignas(64) Load {
-  double force[3];   ///< N
+  double force[3];  ///< N
   double unused0;
   double torque[3];  ///< N m
   double unused1;
@@ -41,13 +41,13 @@ struct LawConstants {
 
 /// The pairs of the neighbour list, sorted by (first, second), padded to whole tiles with pairs that never touch.
 struct PairView {
-  std::size_t count;                       ///< a multiple of the tile size
+  std::size_t count;  ///< a multiple of the tile size
   const std::uint32_t *first, *second;
-  const std::uint8_t* image;               ///< which of `image_shift` brings the second next to the first
-  const double (*image_shift)[4];          ///< m; shape (27, 4), the last is unused; aligned to 32 bytes
+  const std::uint8_t* image;                   ///< which of `image_shift` brings the second next to the first
+  const double (*image_shift)[4];              ///< m; shape (27, 4), the last is unused; aligned to 32 bytes
   const double *first_radius, *second_radius;  ///< m
   const double *effective_radius, *root_effective_mass, *root_rolling_inertia;
-  double *spring[3], *rolling_torque[3];   ///< histories, advanced by the pass
+  double *spring[3], *rolling_torque[3];  ///< histories, advanced by the pass
 };
 
 /// Which parts of the law a scene needs.
@@ -69,8 +69,8 @@ struct MeanFlow {
 enum class MotionPart { end, begin, end_and_begin };
 
 /// Velocity Verlet over `count` grains: v <- v + dt/2 f/m, x <- x + dt v, spins likewise. `kick` is dt/2 m and `twist`
-/// dt/2 I_s of each grain, 0 for glued ones. A part with a beginning clears the loads. Returns the square of the largest
-/// |v - u|, m^2/s^2, after a beginning, else 0.
+/// dt/2 I_s of each grain, 0 for glued ones. A part with a beginning clears the loads. Returns the square of the
+/// largest |v - u|, m^2/s^2, after a beginning, else 0.
 using MotionPass = double (*)(MotionPart part, std::size_t count, double time_step, const double* kick,
                               const double* twist, const MeanFlow& flow, Body* bodies, Load* loads);
 

@@ -42,20 +42,20 @@ class NativeEngine : public Engine {
   double first_skin_;
   EngineSettings settings_;
   std::vector<Role> role_;
-  std::vector<native::Body> bodies_;   ///< two more than grains: they pad the pair list
+  std::vector<native::Body> bodies_;  ///< two more than grains: they pad the pair list
   std::vector<native::Load> loads_;
   std::unique_ptr<native::PairList> list_;
   std::unique_ptr<native::Boundaries> boundaries_;
   native::ContactPass contact_pass_;
   native::MotionPass motion_pass_;
-  std::vector<double> kick_, twist_;   ///< dt/2 m and dt/2 I_s; 0 for glued grains
+  std::vector<double> kick_, twist_;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
   native::LawConstants law_{};
   native::LawVariant variant_ = native::LawVariant::sliding_and_rolling;
-  double skin_left_ = 0.0;             ///< m that two neighbours may still approach before the list is built anew
-  double skin_ = 0.0;                  ///< m, of the next list
-  std::int64_t list_age_ = 0;          ///< steps since the list was built
+  double skin_left_ = 0.0;     ///< m that two neighbours may still approach before the list is built anew
+  double skin_ = 0.0;          ///< m, of the next list
+  std::int64_t list_age_ = 0;  ///< steps since the list was built
   double smallest_diameter_ = 0.0, largest_diameter_ = 0.0;  ///< m
-  double virial_[2] = {0.0, 0.0};      ///< of the last step, N m
+  double virial_[2] = {0.0, 0.0};                            ///< of the last step, N m
 };
 
 }  // namespace flowslide

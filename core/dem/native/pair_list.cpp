@@ -22,8 +22,7 @@ void PairList::Columns::append(std::uint32_t i, std::uint32_t j, std::uint8_t sh
   image.push_back(shift);
 }
 
-void PairList::build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role,
-                     double skin) {
+void PairList::build(const Cell& cell, const std::vector<Body>& bodies, const std::vector<Role>& role, double skin) {
   set_shifts(cell);
   Columns old;
   std::swap(old, columns_);
@@ -58,8 +57,9 @@ void PairList::keep_histories(const Columns& old, std::size_t old_pairs) {
 
 void PairList::fill_constants(const std::vector<Body>& bodies) {
   const std::size_t n = columns_.first.size();
-  for (auto* column : {&first_radius_, &second_radius_, &effective_radius_, &root_effective_mass_,
-                       &root_rolling_inertia_}) column->resize(n);
+  for (auto* column :
+       {&first_radius_, &second_radius_, &effective_radius_, &root_effective_mass_, &root_rolling_inertia_})
+    column->resize(n);
   for (std::size_t p = 0; p < n; ++p) {
     const Body &a = bodies[columns_.first[p]], &b = bodies[columns_.second[p]];
     // J = m R^2 about the contact; I_r = 7/5 J_1 J_2 / (J_1 + J_2).
@@ -121,8 +121,18 @@ void PairList::set_shifts(const Cell& cell) {
 
 PairView PairList::view(const Cell& cell) {
   set_shifts(cell);
-  PairView view{columns_.first.size(), columns_.first.data(), columns_.second.data(), columns_.image.data(), shift_,
-                first_radius_.data(), second_radius_.data(), effective_radius_.data(), root_effective_mass_.data(), root_rolling_inertia_.data(), {}, {}};
+  PairView view{columns_.first.size(),
+                columns_.first.data(),
+                columns_.second.data(),
+                columns_.image.data(),
+                shift_,
+                first_radius_.data(),
+                second_radius_.data(),
+                effective_radius_.data(),
+                root_effective_mass_.data(),
+                root_rolling_inertia_.data(),
+                {},
+                {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view.spring[axis] = columns_.history[axis].data();
     view.rolling_torque[axis] = columns_.history[axis + 3].data();

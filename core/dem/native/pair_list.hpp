@@ -8,8 +8,9 @@
 
 namespace flowslide::native {
 
-/// The neighbour list: all pairs nearer than touching plus a skin (m), sorted by (first, second), first < second, pairs of
-/// one glued layer left out. Open pairs add exact zeros, so results depend neither on the skin nor on when it is built.
+/// The neighbour list: all pairs nearer than touching plus a skin (m), sorted by (first, second), first < second, pairs
+/// of one glued layer left out. Open pairs add exact zeros, so results depend neither on the skin nor on when it is
+/// built.
 class PairList {
  public:
   /// Builds the list anew from `bodies` (folded into the cell by the caller; the last two stand in for no grain and pad

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contact pass: tiles of contacts, three short loops each (gather, law, scatter), and the motion pass. Compiled once per instruction set
-// (see core/CMakeLists.txt) into a namespace of its own, so that no function for wide vectors is ever linked elsewhere.
+// The contact pass: tiles of contacts, three short loops each (gather, law, scatter), and the motion pass. Compiled
+// once per instruction set (see core/CMakeLists.txt) into a namespace of its own, so that no function for wide vectors
+// is ever linked elsewhere.
 #include "dem/native/isa/gather_scatter.hpp"
 #include "dem/native/isa/integrate.hpp"
 #include "dem/native/isa/law.hpp"

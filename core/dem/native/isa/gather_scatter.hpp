@@ -64,7 +64,8 @@ inline void gather(const PairView& pairs, std::size_t start, const Body* bodies,
     t.rolling_torque[axis] = pairs.rolling_torque[axis] + start;
   }
   fetch<Sliding || Rolling>(pairs, start, bodies, t);
-  const double *__restrict first_radius = pairs.first_radius + start, *__restrict second_radius = pairs.second_radius + start;
+  const double* __restrict first_radius = pairs.first_radius + start;
+  const double* __restrict second_radius = pairs.second_radius + start;
 #pragma omp simd
   for (int k = 0; k < Tile::size; ++k) {
     const double dx = t.normal[0][k], dy = t.normal[1][k], dz = t.normal[2][k];

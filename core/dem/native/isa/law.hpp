@@ -13,16 +13,20 @@ inline namespace FLOWSLIDE_ISA {
 /// Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling (equations: grains/contact_law.hpp), for the
 /// lanes of a tile. Reads geometry and motion, advances the histories, writes force and torques.
 ///
-/// No branch: the overlap of an open pair is 0, which makes stiffness, forces and caps exactly 0, and scaling a history by
-/// min(1, cap/size) then clears it. `Sliding` and `Rolling` say which parts the scene needs.
+/// No branch: the overlap of an open pair is 0, which makes stiffness, forces and caps exactly 0, and scaling a history
+/// by min(1, cap/size) then clears it. `Sliding` and `Rolling` say which parts the scene needs.
 template <bool Sliding, bool Rolling>
 inline void apply_law(const LawConstants& c, Tile& t) {
   constexpr double tiny = 1e-300;  // keeps 0/0 away and nothing else: 0/tiny = 0, x/tiny > 1
-  const double *__restrict radii = t.effective_radius, *__restrict root_masses = t.root_effective_mass,
-               *__restrict root_inertias = t.root_rolling_inertia;
-  double *__restrict spring_x = t.spring[0], *__restrict spring_y = t.spring[1], *__restrict spring_z = t.spring[2];
-  double *__restrict torque_x = t.rolling_torque[0], *__restrict torque_y = t.rolling_torque[1],
-         *__restrict torque_z = t.rolling_torque[2];
+  const double* __restrict radii = t.effective_radius;
+  const double* __restrict root_masses = t.root_effective_mass;
+  const double* __restrict root_inertias = t.root_rolling_inertia;
+  double* __restrict spring_x = t.spring[0];
+  double* __restrict spring_y = t.spring[1];
+  double* __restrict spring_z = t.spring[2];
+  double* __restrict torque_x = t.rolling_torque[0];
+  double* __restrict torque_y = t.rolling_torque[1];
+  double* __restrict torque_z = t.rolling_torque[2];
 #pragma omp simd
   for (int k = 0; k < Tile::size; ++k) {
     const double nx = t.normal[0][k], ny = t.normal[1][k], nz = t.normal[2][k];

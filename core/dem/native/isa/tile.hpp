@@ -5,27 +5,27 @@
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// A run of contacts that is worked on at once, as arrays that stay in the first-level cache. Filled by `gather`, turned
-/// into forces by the law, emptied by `scatter`. The first index of two is the component.
+/// A run of contacts that is worked on at once, as arrays that stay in the first-level cache. Filled by `gather`,
+/// turned into forces by the law, emptied by `scatter`. The first index of two is the component.
 struct Tile {
   static constexpr int size = tile_size;
   template <typename T>
   using Lanes = T[size];
 
   // Geometry and motion, of the first grain relative to the second.
-  alignas(64) Lanes<double> normal[3];        ///< unit vector from the second to the first
-  alignas(64) Lanes<double> overlap;          ///< m; 0 for an open pair
-  alignas(64) Lanes<double> velocity[3];      ///< v_1 - v_2, m/s
-  alignas(64) Lanes<double> surface_spin[3];  ///< c_1 w_1 + c_2 w_2, m/s
-  alignas(64) Lanes<double> relative_spin[3]; ///< w_1 - w_2, rad/s
-  alignas(64) Lanes<double> arm[2];           ///< c_1, c_2: lever arms R - overlap/2, m
-  alignas(64) Lanes<double> distance;         ///< between the centres, m
+  alignas(64) Lanes<double> normal[3];         ///< unit vector from the second to the first
+  alignas(64) Lanes<double> overlap;           ///< m; 0 for an open pair
+  alignas(64) Lanes<double> velocity[3];       ///< v_1 - v_2, m/s
+  alignas(64) Lanes<double> surface_spin[3];   ///< c_1 w_1 + c_2 w_2, m/s
+  alignas(64) Lanes<double> relative_spin[3];  ///< w_1 - w_2, rad/s
+  alignas(64) Lanes<double> arm[2];            ///< c_1, c_2: lever arms R - overlap/2, m
+  alignas(64) Lanes<double> distance;          ///< between the centres, m
   // Constants of the pairs and their histories, which the law advances: where they stand in the list.
-  const double* effective_radius;             ///< R*, m
-  const double* root_effective_mass;          ///< sqrt(m*)
-  const double* root_rolling_inertia;         ///< sqrt(I_r)
-  double* spring[3];                          ///< m
-  double* rolling_torque[3];                  ///< N m
+  const double* effective_radius;      ///< R*, m
+  const double* root_effective_mass;   ///< sqrt(m*)
+  const double* root_rolling_inertia;  ///< sqrt(I_r)
+  double* spring[3];                   ///< m
+  double* rolling_torque[3];           ///< N m
   // What the law makes of it.
   alignas(64) Lanes<double> force[3];      ///< on the first, N
   alignas(64) Lanes<double> torque[2][3];  ///< on the first and on the second, N m
