@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "support/touching_lattice.hpp"
 
@@ -18,7 +19,9 @@ class PicturesTest : public testing::Test {
  protected:
   PicturesTest() { fs::remove_all(folder_); }
   ~PicturesTest() override { fs::remove_all(folder_); }
-  const fs::path folder_ = fs::path(testing::TempDir()) / "pictures_test";
+  /// Its own for each test: they may run side by side.
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           (std::string("pictures_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(PicturesTest, ShowTheSampleBeforeAndAtTheStrainWithFramesBetween) {
