@@ -118,18 +118,15 @@ void NativeEngine::prepare_law() {
 void NativeEngine::fold() {
   // At every step, not when the list is built: a folded coordinate rounds differently.
   const Cell& cell = boundaries_->cell();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!cell.periodic[axis]) continue;
-    const double lower = cell.lower[axis], upper = cell.upper[axis], length = upper - lower;
-    for (std::size_t i = 0; i < role_.size(); ++i) {
+  for (std::size_t i = 0; i < role_.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
       double& x = bodies_[i].position[axis];
-      if (x >= lower && x < upper) continue;
-      if (!std::isfinite(x)) continue;  // lost: count_grains says so
-      const int periods = x < lower ? 1 : -1;
-      x += periods * length;
+      const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
+      if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
+      const int periods = below ? 1 : -1;
+      x += periods * cell.lengths()[axis];
       list_->carry(static_cast<std::uint32_t>(i), axis, periods);
     }
-  }
 }
 
 void NativeEngine::rebuild() {
