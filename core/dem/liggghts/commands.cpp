@@ -29,7 +29,7 @@ std::string box_command(const Cell& cell) {
   return line + " units box";
 }
 
-/// As a share of the smallest diameter. Holds to 5 m/s at a step of 1e-5 s.
+/// What the neighbour list reaches beyond touching, as a share of the smallest diameter.
 constexpr double skin_share = 0.05;
 
 }  // namespace
