@@ -3,24 +3,12 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "slope/require.hpp"
 
 namespace flowslide {
 namespace {
-
-void require(bool allowed, const std::string& name, double value, const std::string& range, const std::string& mend) {
-  if (allowed) return;
-  std::ostringstream message;
-  message.precision(17);
-  message << "slope: " << name << " is " << value << "; allowed: " << range << ". " << mend;
-  throw std::invalid_argument(message.str());
-}
-
-void require_positive(const std::string& name, double value, const std::string& unit, const std::string& mend) {
-  require(std::isfinite(value) && value > 0.0, name, value, "finite and > 0 " + unit, mend);
-}
 
 double buoyant_mass_per_area(const SlopeProperties& slope) {
   return (slope.saturated_density - slope.water_density) * slope.water_table +
@@ -34,21 +22,23 @@ void validate(const SlopeProperties& slope) {
   require_positive("saturated density", slope.saturated_density, "kg/m^3", density_mend);
   require_positive("dry density", slope.dry_density, "kg/m^3", density_mend);
   require_positive("water density", slope.water_density, "kg/m^3", density_mend);
-  require(slope.saturated_density > slope.water_density, "saturated density", slope.saturated_density,
-          "more than the water density " + std::to_string(slope.water_density) + " kg/m^3",
-          "Give the density of soil and pore water together.");
+  require_of_slope(slope.saturated_density > slope.water_density, "saturated density", slope.saturated_density,
+                   "more than the water density " + std::to_string(slope.water_density) + " kg/m^3",
+                   "Give the density of soil and pore water together.");
   require_positive("gravity", slope.gravity, "m/s^2", "Give its magnitude, such as 9.81.");
   require_positive("thickness", slope.thickness, "m", "Give the thickness of the whole sliding mass.");
   require_positive("liquefiable thickness", slope.liquefiable_thickness, "m", "Give the layer at the base.");
   const std::string up_to_thickness = " " + std::to_string(slope.thickness) + " m (the thickness)";
-  require(slope.liquefiable_thickness <= slope.thickness, "liquefiable thickness", slope.liquefiable_thickness,
-          "at most" + up_to_thickness, "Make the layer thinner or the slope thicker.");
-  require(slope.water_table >= 0.0 && slope.water_table <= slope.thickness, "water table", slope.water_table,
-          "0 to" + up_to_thickness, "Measure it from the base of the slide.");
-  require(slope.angle >= 0.0 && slope.angle < std::numbers::pi / 2.0, "angle", slope.angle, "[0, pi/2) rad",
-          "Give the angle in radians; 5 degrees is 0.0873 rad.");
-  require(std::isfinite(slope.hydraulic_conductivity) && slope.hydraulic_conductivity >= 0.0,
-          "hydraulic conductivity", slope.hydraulic_conductivity, "finite and >= 0 m/s", "Use 0 for undrained.");
+  require_of_slope(slope.liquefiable_thickness <= slope.thickness, "liquefiable thickness",
+                   slope.liquefiable_thickness, "at most" + up_to_thickness,
+                   "Make the layer thinner or the slope thicker.");
+  require_of_slope(slope.water_table >= 0.0 && slope.water_table <= slope.thickness, "water table", slope.water_table,
+                   "0 to" + up_to_thickness, "Measure it from the base of the slide.");
+  require_of_slope(slope.angle >= 0.0 && slope.angle < std::numbers::pi / 2.0, "angle", slope.angle,
+                   "[0, pi/2) rad", "Give the angle in radians; 5 degrees is 0.0873 rad.");
+  require_of_slope(std::isfinite(slope.hydraulic_conductivity) && slope.hydraulic_conductivity >= 0.0,
+                   "hydraulic conductivity", slope.hydraulic_conductivity, "finite and >= 0 m/s",
+                   "Use 0 for undrained.");
 }
 
 double mass_per_area(const SlopeProperties& slope) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace flowslide {
+
+/// Throws std::invalid_argument unless `allowed`: what of the slope is wrong, its value, what is allowed, the mend.
+inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
+                             const std::string& mend) {
+  if (allowed) return;
+  std::ostringstream message;
+  message.precision(17);
+  message << "slope: " << name << " is " << value << "; allowed: " << range << ". " << mend;
+  throw std::invalid_argument(message.str());
+}
+
+/// The same for what must be finite and above zero.
+inline void require_positive(const std::string& name, double value, const std::string& unit, const std::string& mend) {
+  require_of_slope(std::isfinite(value) && value > 0.0, name, value, "finite and > 0 " + unit, mend);
+}
+
+}  // namespace flowslide
