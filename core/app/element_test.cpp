@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "grains/bulk_mean_stress.hpp"
 #include "grains/kinetic_stress.hpp"
 #include "grains/measures.hpp"
-#include "grains/slab_stress.hpp"
 #include "grains/stress.hpp"
 
 namespace flowslide {
@@ -22,12 +22,10 @@ constexpr double most_steps = 1e15;
 std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate) {
   const Material& material = sample.settings().material;
   const ContactForces forces = evaluate_contact_forces(assembly, material, sample.settings().time_step);
-  const Matrix3 kinetic_tensor = kinetic_stress(assembly, material);
   const SlopeStress bagi = slope_stress(bagi_stress(assembly, forces));
   const SlopeStress nicot = slope_stress(nicot_stress(assembly, forces, material));
-  const SlopeStress kinetic = slope_stress(kinetic_tensor);
-  // Dashpots may pull for a moment when hardly a contact is left; a pressure below zero has no inertial number.
-  const double mean = std::max(slope_stress(bulk_stress(assembly, forces)).mean, 0.0) + kinetic.mean;
+  const SlopeStress kinetic = slope_stress(kinetic_stress(assembly, material));
+  const double mean = bulk_mean_stress(assembly, forces, material);
   const CellStress told = sample.stress();
   return {sample.shear_strain(),
           told.shear,
@@ -93,7 +91,7 @@ Series run_element_test(DemSample& sample, const ElementTest& test, const RowObs
   std::int64_t done = 0;
   for (const std::int64_t at : test.row_steps(time_step)) {
     if (at > 0 && done == 0) sample.start_linear_velocity_field(test.shear_rate);  // the first row is at rest
-    if (at > done) sample.strain({test.shear_rate, 0.0}, at - done);
+    if (at > done) sample.strain({{test.shear_rate, 0.0}, at - done, time_step});
     done = at;
     const Assembly assembly = sample.assembly();
     const auto values = row(sample, assembly, test.shear_rate);

@@ -4,16 +4,20 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "grains/bulk_mean_stress.hpp"
 #include "sample/health.hpp"
 
 namespace flowslide {
 
 DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings)
-    : engine_(engine), grains_(assembly.size()), solid_volume_(assembly.solid_volume()) {
+    : engine_(engine),
+      grains_(assembly.size()),
+      solid_volume_(assembly.solid_volume()),
+      smallest_radius_(assembly.smallest_radius()) {
   for (const Role layer : {Role::bottom_layer, Role::top_layer})
     if (std::find(assembly.role.begin(), assembly.role.end(), layer) == assembly.role.end())
       throw std::invalid_argument("the sample has no glued layer to shear it by; prepare it with prepare_sample");
-  validate_time_step(settings.time_step, assembly.smallest_radius(), settings.material);
+  validate_time_step(settings.time_step, smallest_radius_, settings.material);
   engine_.load(assembly, settings);
   stress_ = engine_.cell_stress();
 }
@@ -28,19 +32,33 @@ void DemSample::start_linear_velocity_field(double shear_rate) {
   engine_.load(assembly, engine_.settings());
 }
 
-CellStress DemSample::strain(const StrainRate& rate, std::int64_t steps) {
+CellStress DemSample::strain(const LocalRun& run) {
+  set_time_step(run.time_step);
   const double height = engine_.cell().height();
   BoundaryMotion motion;
-  motion.top_velocity = {rate.shear * height, 0.0, -rate.compression * height};
+  motion.top_velocity = {run.rate.shear * height, 0.0, -run.rate.compression * height};
   engine_.move(motion);
-  engine_.run(steps);
+  engine_.run(run.steps);
   stress_ = engine_.cell_stress();
   check_exchange(engine_, stress_, grains_);
-  const double duration = static_cast<double>(steps) * engine_.settings().time_step;
-  shear_strain_ += rate.shear * duration;
-  time_ += duration;
-  steps_ += steps;
+  shear_strain_ += run.rate.shear * run.duration();
+  time_ += run.duration();
+  steps_ += run.steps;
   return stress_;
+}
+
+void DemSample::set_time_step(double time_step) {
+  EngineSettings settings = engine_.settings();
+  if (time_step == settings.time_step) return;
+  validate_time_step(time_step, smallest_radius_, settings.material);
+  settings.time_step = time_step;
+  engine_.set(settings);
+}
+
+double DemSample::mean_stress() const {
+  const Assembly grains = assembly();
+  const Material& material = settings().material;
+  return bulk_mean_stress(grains, evaluate_contact_forces(grains, material, settings().time_step), material);
 }
 
 double DemSample::void_ratio() const { return engine_.cell().volume() / solid_volume_ - 1.0; }

@@ -18,8 +18,11 @@ class DemSample : public Sample {
   /// grains without spin would all be twisted at once.
   void start_linear_velocity_field(double shear_rate);
 
-  CellStress strain(const StrainRate& rate, std::int64_t steps) override;
+  /// A time step other than that of the settings is set first; std::invalid_argument if it is not possible.
+  CellStress strain(const LocalRun& run) override;
   CellStress stress() const override { return stress_; }
+  /// See bulk_mean_stress. Loops over all contacts.
+  double mean_stress() const override;
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override;
 
@@ -30,9 +33,12 @@ class DemSample : public Sample {
   const EngineSettings& settings() const { return engine_.settings(); }
 
  private:
+  void set_time_step(double time_step);
+
   Engine& engine_;
   std::uint64_t grains_;
   double solid_volume_;
+  double smallest_radius_;
   double shear_strain_ = 0.0;
   double time_ = 0.0;
   std::int64_t steps_ = 0;

@@ -6,19 +6,32 @@
 
 namespace flowslide {
 
-/// Rates at which a sample is strained, 1/s, per present height.
+/// Rates at which a sample is strained, 1/s, per height at the start of the run.
 struct StrainRate {
   double shear = 0.0;        ///< gamma rate, positive when the top moves downslope (+x)
   double compression = 0.0;  ///< epsilon rate, positive when the sample becomes thinner; 0 keeps the volume
+};
+
+/// What a sample is to do: be strained at a constant rate for some local time steps.
+struct LocalRun {
+  StrainRate rate;
+  std::int64_t steps = 0;
+  double time_step = 0.0;  ///< dt_L, s
+
+  /// t_DEM = n_step dt_L, s (eq. 15b).
+  double duration() const { return static_cast<double>(steps) * time_step; }
 };
 
 /// A piece of soil that answers strain with stress: the constitutive law of the slope.
 class Sample {
  public:
   virtual ~Sample() = default;
-  /// Strains the sample for `steps` local time steps and returns the stress at their end. Throws NumericalFailure.
-  virtual CellStress strain(const StrainRate& rate, std::int64_t steps) = 0;
+  /// Strains the sample and returns the stress at the end. Throws NumericalFailure.
+  virtual CellStress strain(const LocalRun& run) = 0;
   virtual CellStress stress() const = 0;
+  /// p, Pa, compression positive, of the soil away from the boundaries, moving grains included. For records: it may
+  /// cost as much as many steps.
+  virtual double mean_stress() const = 0;
   virtual double shear_strain() const = 0;  ///< gamma since the sample was prepared
   virtual double void_ratio() const = 0;
 };

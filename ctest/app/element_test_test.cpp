@@ -74,7 +74,7 @@ class RecordOfALattice : public testing::Test {
   /// The lattice after some steps, so that it knows the forces on its grains, as a prepared sample does.
   static Assembly settled(Engine& engine) {
     DemSample sample(engine, touching_lattice(), {Material{}, time_step, 0.0});
-    sample.strain({0.0, 0.0}, 20);
+    sample.strain({{0.0, 0.0}, 20, time_step});
     return sample.assembly();
   }
 

@@ -30,7 +30,7 @@ class EngineContract : public testing::TestWithParam<std::string> {
     auto e = engine();
     DemSample sample(*e, touching_lattice(), settings());
     sample.start_linear_velocity_field(20.0);
-    sample.strain({20.0, 1.0}, 500);
+    sample.strain({{20.0, 1.0}, 500, step});
     return e->save();
   }
 };
@@ -97,10 +97,10 @@ TEST_P(EngineContract, ManyShortRunsEqualOneLongRun) {
 TEST_P(EngineContract, NothingChangesWithoutAStep) {
   auto e = engine();
   DemSample sample(*e, sheared(), settings());
-  sample.strain({1.0, 0.0}, 100);
+  sample.strain({{1.0, 0.0}, 100, step});
   const CellStress before = sample.stress();
   const double strain = sample.shear_strain();
-  expect_equal(sample.strain({5.0, 5.0}, 0), before, 0.0);
+  expect_equal(sample.strain({{5.0, 5.0}, 0, step}), before, 0.0);
   EXPECT_EQ(sample.shear_strain(), strain);
 }
 
@@ -108,7 +108,7 @@ TEST_P(EngineContract, UndrainedShearKeepsTheVolume) {
   auto e = engine();
   DemSample sample(*e, touching_lattice(), settings());
   const double before = sample.void_ratio();
-  sample.strain({10.0, 0.0}, 2000);
+  sample.strain({{10.0, 0.0}, 2000, step});
   EXPECT_NEAR(sample.void_ratio(), before, 1e-12);
   EXPECT_NEAR(sample.shear_strain(), 10.0 * 2000 * step, rounding);
 }
@@ -230,7 +230,7 @@ TEST_P(EngineContract, CountsGrainsAndStopsWhenOneLeaves) {
       break;
     }
   DemSample leaking(*e, assembly, settings());
-  EXPECT_THROW(leaking.strain({0.0, 0.0}, 20), NumericalFailure);
+  EXPECT_THROW(leaking.strain({{0.0, 0.0}, 20, step}), NumericalFailure);
 }
 
 TEST_P(EngineContract, ChangedSettingsHoldFromTheNextStep) {

@@ -78,7 +78,7 @@ Assembly sheared() {
   LiggghtsEngine engine(testing::TempDir() + "native_equals_liggghts.log");
   DemSample sample(engine, touching_lattice(), {Material{}, step, 0.0});
   sample.start_linear_velocity_field(20.0);
-  sample.strain({20.0, 1.0}, 500);
+  sample.strain({{20.0, 1.0}, 500, step});
   return engine.save();
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dem/make_engine.hpp"
+#include "grains/bulk_mean_stress.hpp"
 #include "grains/measures.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -20,8 +21,8 @@ class DemSampleTest : public testing::Test {
 
 TEST_F(DemSampleTest, ClocksCountStepsAndStrain) {
   DemSample sample(*engine_, touching_lattice(), settings_);
-  sample.strain({2.0, 0.0}, 100);
-  sample.strain({-1.0, 0.0}, 50);
+  sample.strain({{2.0, 0.0}, 100, step});
+  sample.strain({{-1.0, 0.0}, 50, step});
   EXPECT_EQ(sample.steps(), 150);
   EXPECT_NEAR(sample.time(), 150 * step, 1e-18);
   EXPECT_NEAR(sample.shear_strain(), (2.0 * 100 - 50) * step, 1e-18);
@@ -30,16 +31,36 @@ TEST_F(DemSampleTest, ClocksCountStepsAndStrain) {
 TEST_F(DemSampleTest, VolumetricStrainChangesTheVoidRatioByItself) {
   DemSample sample(*engine_, touching_lattice(), settings_);
   const double before = sample.void_ratio();
-  sample.strain({0.0, 5.0}, 100);
+  sample.strain({{0.0, 5.0}, 100, step});
   EXPECT_NEAR((1.0 + sample.void_ratio()) / (1.0 + before), 1.0 - 5.0 * 100 * step, 1e-12);
   EXPECT_NEAR(sample.void_ratio(), void_ratio(sample.assembly()), 1e-12);
 }
 
 TEST_F(DemSampleTest, ShearingDownslopeIsResistedByPositiveShearStress) {
   DemSample sample(*engine_, touching_lattice(), settings_);
-  EXPECT_GT(sample.strain({5.0, 0.0}, 500).shear, 0.0);
+  EXPECT_GT(sample.strain({{5.0, 0.0}, 500, step}).shear, 0.0);
   DemSample other(*engine_, touching_lattice(), settings_);
-  EXPECT_LT(other.strain({-5.0, 0.0}, 500).shear, 0.0);
+  EXPECT_LT(other.strain({{-5.0, 0.0}, 500, step}).shear, 0.0);
+}
+
+TEST_F(DemSampleTest, EachRunMayHaveATimeStepOfItsOwn) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  sample.strain({{2.0, 0.0}, 100, step});
+  sample.strain({{2.0, 0.0}, 100, 0.3 * step});
+  EXPECT_EQ(sample.settings().time_step, 0.3 * step);
+  EXPECT_NEAR(sample.time(), 130 * step, 1e-18);
+  EXPECT_NEAR(sample.shear_strain(), 2.0 * 130 * step, 1e-18);
+  EXPECT_THROW(sample.strain({{2.0, 0.0}, 1, 100 * step}), std::invalid_argument);  // beyond the Rayleigh time
+  EXPECT_THROW(sample.strain({{2.0, 0.0}, 1, 0.0}), std::invalid_argument);
+}
+
+TEST_F(DemSampleTest, MeanStressIsThatOfTheBulkWithItsKineticPart) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  sample.strain({{2.0, 0.0}, 100, step});
+  const Assembly assembly = sample.assembly();
+  const ContactForces forces = evaluate_contact_forces(assembly, settings_.material, step);
+  EXPECT_EQ(sample.mean_stress(), bulk_mean_stress(assembly, forces, settings_.material));
+  EXPECT_GT(sample.mean_stress(), 1e3);
 }
 
 TEST_F(DemSampleTest, ALinearVelocityFieldReachesFromTheBottomToTheTop) {

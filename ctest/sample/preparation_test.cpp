@@ -47,7 +47,8 @@ TEST(Preparation, ReachesItsTargetsAndHoldsThemAtRest) {
   EXPECT_EQ(sample.assembly.size(), 150u);
 
   DemSample loaded(*engine, sample.assembly, engine->settings());
-  EXPECT_NEAR(loaded.strain({0.0, 0.0}, 500).normal, sample.stress.normal, 1e-3 * sample.stress.normal);
+  const LocalRun rest{{0.0, 0.0}, 500, engine->settings().time_step};
+  EXPECT_NEAR(loaded.strain(rest).normal, sample.stress.normal, 1e-3 * sample.stress.normal);
 }
 
 TEST(Preparation, SaysWhichStageFailed) {
