@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "coupling/rate_rule.hpp"
+
+#include <algorithm>
+
+#include "grains/measures.hpp"
+#include "grains/require.hpp"
+
+namespace flowslide {
+namespace {
+
+void check(double inertial_number, const GrainScale& grains) {
+  require(inertial_number > 0.0, "inertial number to shear at", inertial_number, "> 0", "1e-4 is quasi-static.");
+  require(grains.mean_diameter > 0.0, "mean diameter", grains.mean_diameter, "> 0 m", "Give that of the sample.");
+  require(grains.density > 0.0, "density", grains.density, "> 0 kg/m^3", "Give the density of the solid.");
+}
+
+void check(const GlobalRate&) {}
+
+void check(const ConstantInertialNumber& rule) {
+  check(rule.inertial_number, rule.grains);
+  require(rule.smallest_rate >= 0.0, "smallest strain rate", rule.smallest_rate, ">= 0 1/s",
+          "It bounds the time that a liquefied sample takes.");
+}
+
+void check(const GlobalRateAtLeastQuasiStatic& rule) { check(rule.inertial_number, rule.grains); }
+
+double rate_at(double inertial_number, const GrainScale& grains, double pressure) {
+  if (!(pressure > 0.0)) return 0.0;
+  return shear_rate_for(inertial_number, grains.mean_diameter, grains.density, pressure);
+}
+
+double asked(const GlobalRate&, double global_rate, double) { return global_rate; }
+
+double asked(const ConstantInertialNumber& rule, double, double pressure) {
+  return std::max(rate_at(rule.inertial_number, rule.grains, pressure), rule.smallest_rate);
+}
+
+double asked(const GlobalRateAtLeastQuasiStatic& rule, double global_rate, double pressure) {
+  return std::max(global_rate, rate_at(rule.inertial_number, rule.grains, pressure));
+}
+
+}  // namespace
+
+void validate(const RateRule& rule) {
+  std::visit([](const auto& kind) { check(kind); }, rule);
+}
+
+double rate_asked(const RateRule& rule, double global_rate, double pressure) {
+  return std::visit([=](const auto& kind) { return asked(kind, global_rate, pressure); }, rule);
+}
+
+}  // namespace flowslide

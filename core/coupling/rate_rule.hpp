@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which strain rate a sample is to be sheared at: the upper bound eps_L^U of eqs 15 to 18.
+#pragma once
+#include <variant>
+
+namespace flowslide {
+
+/// What an inertial number needs besides rate and pressure.
+struct GrainScale {
+  double mean_diameter = 6e-3;  ///< D, m
+  double density = 2650.0;      ///< of the solid, kg/m^3
+};
+
+/// RD: the rate of the slope, ||d(epsilon_G)||/dt_G (paper, sec. 2.3).
+struct GlobalRate {};
+
+/// RI, and Figs 6 and 7: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to
+/// 0 with p, which would take for ever: it is never below `smallest_rate`, and what was used is the rate asked for.
+struct ConstantInertialNumber {
+  double inertial_number = 1e-4;  ///< I, > 0
+  double smallest_rate = 0.5;     ///< 1/s, >= 0
+  GrainScale grains;
+};
+
+/// RD made quick where the rate does not matter: the rate of the slope, or the rate that keeps I at a value taken for
+/// quasi-static where that is faster. A liquefied sample (p = 0) is sheared at the rate of the slope.
+struct GlobalRateAtLeastQuasiStatic {
+  double inertial_number = 1e-4;  ///< I, > 0
+  GrainScale grains;
+};
+
+using RateRule = std::variant<GlobalRate, ConstantInertialNumber, GlobalRateAtLeastQuasiStatic>;
+
+/// Throws std::invalid_argument if a value is out of its range.
+void validate(const RateRule& rule);
+
+/// The rate asked for, 1/s, >= 0, when the slope strains at `global_rate` (1/s, >= 0) and the sample bears `pressure`
+/// (Pa; less than nothing counts as nothing).
+double rate_asked(const RateRule& rule, double global_rate, double pressure);
+
+}  // namespace flowslide

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "coupling/slide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/require.hpp"
+
+namespace flowslide {
+
+Slide::Slide(const SlideSettings& settings, Sample& sample)
+    : settings_(settings),
+      sample_(sample),
+      driving_(settings.slope, settings.loading),
+      driving_normal_stress_(initial_normal_stress(settings.slope)),
+      sliding_(settings.slope, settings.time_step),
+      consolidation_(settings.slope, settings.consolidation, settings.time_step, settings.oedometric_modulus),
+      reading_(settings.residual, {driving_.initial(), driving_normal_stress_}, sample.stress()) {
+  validate(settings.rate);
+  validate(settings.passing);
+  require(std::isfinite(settings.initial_velocity), "initial velocity", settings.initial_velocity,
+          "any finite value in m/s", "Use 0 to start at rest.");
+  state_.driving_stress = driving_.at(0.0);
+  state_.stress = reading_.read(sample.stress());
+  state_.velocity = state_.largest_velocity = settings.initial_velocity;
+  state_.sliding = sliding_.start(settings.initial_velocity, state_.driving_stress, state_.stress.shear);
+}
+
+void Slide::step() {
+  const double height = settings_.slope.liquefiable_thickness;
+  const Strain increment{sliding_.move(state_.sliding) / height,
+                         consolidation_.increment(basal_pore_pressure(), state_.owed.compression)};
+  state_.strain += increment;
+  state_.global_rate = increment.norm() / settings_.time_step;
+  // sigma stands for p: what glued layers wedge between them keeps the mean stress of the cell up when sigma is gone.
+  state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal);
+  run_sample(pass(settings_.passing, state_.owed, increment, state_.rate_asked));
+
+  ++state_.exchanges;
+  state_.time = static_cast<double>(state_.exchanges) * settings_.time_step;
+  state_.driving_stress = driving_.at(state_.time);
+  state_.velocity = sliding_.accelerate(state_.sliding, state_.driving_stress, state_.stress.shear);
+  state_.largest_velocity = std::max(state_.largest_velocity, state_.velocity);
+}
+
+void Slide::run_sample(const LocalRun& run) {
+  state_.steps = run.steps;
+  if (run.steps == 0) return;
+  state_.stress = reading_.read(sample_.strain(run));
+  state_.rate_applied = Strain{run.rate.shear, run.rate.compression}.norm();
+  state_.local_time += run.duration();
+  state_.local_steps += run.steps;
+}
+
+}  // namespace flowslide
