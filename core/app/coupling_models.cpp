@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/coupling_models.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/loading_table.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr double most_steps_allowed = 1e12;  // a double counts them one by one
+
+/// The keys of one table.
+class Table {
+ public:
+  Table(const Configuration& configuration, std::string name)
+      : configuration_(configuration), prefix_(std::move(name) + ".") {}
+
+  bool has(const char* key) const { return configuration_.has(prefix_ + key); }
+  std::string choice(const char* key, const std::vector<std::string>& allowed) const {
+    return configuration_.text(prefix_ + key, allowed);
+  }
+  std::string text(const char* key) const { return configuration_.text(prefix_ + key); }
+  double number(const char* key, const Range& range) const { return configuration_.number(prefix_ + key, range); }
+  double quantity(const char* key, const Dimension& dimension, const Range& range = Range::any()) const {
+    return configuration_.quantity(prefix_ + key, dimension, range);
+  }
+  double positive(const char* key, const Dimension& dimension) const {
+    return quantity(key, dimension, Range::positive());
+  }
+  std::int64_t integer(const char* key, const Range& range) const {
+    return configuration_.integer(prefix_ + key, range);
+  }
+  bool flag(const char* key) const { return configuration_.flag(prefix_ + key); }
+  void accept(std::initializer_list<const char*> keys) const {
+    for (const char* key : keys) configuration_.accept(prefix_ + key);
+  }
+  [[noreturn]] void refuse(const char* key, const std::string& problem, const std::string& mend) const {
+    configuration_.refuse(prefix_ + key, problem, mend);
+  }
+
+ private:
+  const Configuration& configuration_;
+  std::string prefix_;
+};
+
+ConstantRate read_constant_rate(const Table& table) {
+  ConstantRate loading{table.quantity("rate", dimension::stress_rate)};
+  if (table.has("duration")) loading.duration = table.positive("duration", dimension::time);
+  if (!table.has("final_change")) return loading;
+  const double final_change = table.quantity("final_change", dimension::stress);
+  if (table.has("duration")) table.refuse("final_change", "duration is given as well", "leave one of them out");
+  loading.duration = final_change / loading.rate;
+  if (!(loading.duration > 0.0 && std::isfinite(loading.duration)))
+    table.refuse("final_change", fmt::format("is never reached at the rate {} Pa/s", loading.rate),
+                 "give both the same sign");
+  return loading;
+}
+
+/// Refuses a dt_G beyond the limit of stability `limit` (s) of `what`.
+void check_stability(const Table& table, double time_step, double limit, const std::string& what) {
+  if (time_step <= limit) return;
+  table.refuse("time_step", fmt::format("is unstable: {} allows at most {:.3g} s", what, limit),
+               "choose a smaller step, or set allow_unstable = true to see what happens");
+}
+
+}  // namespace
+
+StressHistory read_loading(const Configuration& configuration, const std::string& table,
+                           const std::filesystem::path& folder) {
+  const Table loading(configuration, table);
+  const std::string history = loading.choice("history", {"constant", "rate", "pulse", "table"});
+  loading.accept({"rate", "duration", "final_change", "amplitude", "file"});
+  if (history == "rate") return read_constant_rate(loading);
+  if (history == "pulse")
+    return SinePulse{loading.quantity("amplitude", dimension::stress), loading.positive("duration", dimension::time)};
+  if (history == "table") return read_loading_table(folder / loading.text("file"));
+  return NoChange{};
+}
+
+RateRule read_rate_rule(const Configuration& configuration, const std::string& table, const GrainScale& grains) {
+  const Table coupling(configuration, table);
+  const std::string rule =
+      coupling.choice("rate", {"global", "constant_inertial_number", "at_least_quasi_static"});
+  coupling.accept({"inertial_number", "smallest_rate"});
+  if (rule == "global") return GlobalRate{};
+  const double number = coupling.number("inertial_number", Range::positive());
+  if (rule == "at_least_quasi_static") return GlobalRateAtLeastQuasiStatic{number, grains};
+  return ConstantInertialNumber{number, coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()),
+                                grains};
+}
+
+StrainPassing read_strain_passing(const Configuration& configuration, const std::string& table) {
+  const Table coupling(configuration, table);
+  const std::string rule = coupling.choice(
+      "passing", {"carry_remainder", "accumulate_and_reset", "whole_increment", "variable_time_step"});
+  coupling.accept({"n_accum"});
+  StrainPassing passing;
+  passing.time_step = coupling.positive("local_time_step", dimension::time);
+  const auto least = [&] { return coupling.integer("n_accum", Range::between(1, most_steps_allowed)); };
+  double fewest = 1.0;
+  if (rule == "carry_remainder") passing.rule = CarryRemainder{least()};
+  if (rule == "accumulate_and_reset") passing.rule = AccumulateAndReset{least()};
+  if (rule == "carry_remainder" || rule == "accumulate_and_reset") fewest = static_cast<double>(least());
+  if (rule == "whole_increment") passing.rule = WholeIncrement{};
+  if (rule == "variable_time_step") passing.rule = VariableTimeStep{};
+  passing.most_steps = coupling.integer("most_steps", Range::between(fewest, most_steps_allowed));
+  return passing;
+}
+
+SlideSettings read_coupling(const Configuration& configuration, const std::string& table, const SlopeProperties& slope,
+                            const GrainScale& grains) {
+  const Table coupling(configuration, table);
+  SlideSettings settings;
+  settings.slope = slope;
+  settings.time_step = coupling.positive("time_step", dimension::time);
+  settings.rate = read_rate_rule(configuration, table, grains);
+  settings.passing = read_strain_passing(configuration, table);
+  const bool euler = coupling.choice("consolidation", {"exponential", "euler"}) == "euler";
+  settings.consolidation = euler ? ConsolidationScheme::euler : ConsolidationScheme::exponential;
+  const std::string residual = coupling.choice("residual", {"fades", "left_out", "stays"});
+  settings.residual = residual == "fades"      ? ResidualTreatment::fades
+                      : residual == "left_out" ? ResidualTreatment::left_out
+                                               : ResidualTreatment::stays;
+  const double shear_modulus = coupling.positive("shear_modulus", dimension::stress);
+  settings.oedometric_modulus = coupling.positive("oedometric_modulus", dimension::stress);
+  if (coupling.flag("allow_unstable")) return settings;
+  check_stability(coupling, settings.time_step, sliding_time_step_limit(slope, shear_modulus),
+                  fmt::format("sliding on a sample of G = {:.3g} Pa, 2/omega,", shear_modulus));
+  const double modulus = settings.oedometric_modulus;
+  if (euler)
+    check_stability(coupling, settings.time_step, consolidation_time_step_limit(slope, modulus),
+                    fmt::format("forward Euler for drainage with M = {:.3g} Pa, 2/(M C),", modulus));
+  return settings;
+}
+
+StopConditions read_stop(const Configuration& configuration, const std::string& table) {
+  const Table stop(configuration, table);
+  StopConditions conditions;
+  conditions.end_time = stop.positive("end_time", dimension::time);
+  if (stop.has("end_shear_strain"))
+    conditions.end_shear_strain = stop.positive("end_shear_strain", dimension::dimensionless);
+  if (stop.has("sliding_velocity"))
+    conditions.sliding_velocity = stop.positive("sliding_velocity", dimension::velocity);
+  return conditions;
+}
+
+RowSpacing read_row_spacing(const Configuration& configuration, const std::string& table) {
+  const Table rows(configuration, table);
+  RowSpacing spacing;
+  spacing.most_rows = rows.integer("most_rows", Range::between(10, 1e6));
+  if (rows.has("row_interval")) spacing.interval = rows.positive("row_interval", dimension::time);
+  if (rows.has("row_strain")) spacing.strain = rows.positive("row_strain", dimension::dimensionless);
+  if (!rows.has("row_interval") && !rows.has("row_strain"))
+    rows.refuse("most_rows", "says nothing of the distance of rows", "give row_interval, row_strain or both");
+  return spacing;
+}
+
+void check_strength(const Configuration& configuration, const SlopeProperties& slope, double friction) {
+  const double ratio = initial_shear_stress(slope) / initial_normal_stress(slope);
+  if (ratio < friction) return;
+  configuration.refuse("slope.angle",
+                       fmt::format("makes tau_0 {:.3g} of sigma_0, and a sample of friction {:.3g} bears less than "
+                                   "{:.3g}", ratio, friction, friction),
+                       "make the slope flatter or the grains rougher");
+}
+
+}  // namespace flowslide
