@@ -62,6 +62,17 @@ TEST(SlideAccuracy, ASampleThatKnowsItsRateOrIsAskedSeldomLeavesTheFirstOrder) {
   EXPECT_NEAR(order_of(AccumulateAndReset{11}, 1.0), 1.0, 0.15);
 }
 
+TEST(SlideAccuracy, AsPrintedEqs15And18DoNotConvergeOnASampleThatKnowsItsRate) {
+  // At 16 local steps per exchange both run 17: the rate, and with it the damping, is 1/17 too low however small dt_G.
+  const double viscosity = 0.2 * 0.2 * 3100.0 * 155.0;
+  for (const PassingRule& rule : {PassingRule{WholeIncrement{}}, PassingRule{AccumulateAndReset{10}}}) {
+    EXPECT_NEAR(order_of(rule, 1.0 / 16.0, viscosity), 0.0, 0.05);
+    const double step = end / 1024.0;
+    EXPECT_GT(error_of(swinging(step, rule, step / 16.0), viscosity),
+              100.0 * error_of(swinging(step, CarryRemainder{10}, step / 16.0), viscosity));
+  }
+}
+
 TEST(SlideAccuracy, AStressThatIsHeldDrivesTheSwingOn) {
   // By exp(omega^2 (t_h - dt) t/4) with t_h = 10 dt held: delays of (t_h - dt)/2 in the mean.
   const double step = end / 8192.0;
