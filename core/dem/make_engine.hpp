@@ -9,11 +9,13 @@
 
 namespace flowslide {
 
-/// Names of the engines of this build.
+/// Names of the engines of this build: "liggghts"; "native" in double with the same bits everywhere; "native-fused",
+/// in double and faster; "native-mixed", with the contact law in float, faster still.
 std::vector<std::string> engine_names();
 
 /// The engine of that name; `log` is the file for what it writes of itself. Throws std::invalid_argument for an unknown
-/// name, and says which there are.
-std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log);
+/// name, and says which there are. `threads` are for the native ones: 0 is one below 10 000 grains, else one for each core;
+/// LIGGGHTS works in ranks of MPI instead.
+std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log, int threads = 0);
 
 }  // namespace flowslide

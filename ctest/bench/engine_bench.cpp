@@ -47,7 +47,7 @@ class Bench {
   void restart() {
     sample_.emplace(*engine_, assembly_, EngineSettings{Material{}, 5e-6, 0.0});
     sample_->start_linear_velocity_field(shear_rate);
-    sample_->strain({shear_rate, 0.0}, 10 * steps_per_round);
+    sample_->strain({{shear_rate, 0.0}, 10 * steps_per_round, 5e-6});
   }
 
   void steps(benchmark::State& state) {
@@ -57,12 +57,12 @@ class Bench {
   }
   void steps_and_exchange(benchmark::State& state) {
     restart();
-    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({shear_rate, 0.0}, steps_per_round));
+    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({{shear_rate, 0.0}, steps_per_round, 5e-6}));
     report(state);
   }
   void exchange(benchmark::State& state) {
     restart();
-    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({shear_rate, 0.0}, 0));
+    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({{shear_rate, 0.0}, 0, 5e-6}));
     report(state, 0);
   }
 

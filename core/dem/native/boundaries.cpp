@@ -1,79 +1,104 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dem/native/boundaries.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "grains/contact_law.hpp"
 
 namespace flowslide::native {
+namespace {
 
-void Boundaries::move(const BoundaryMotion& motion, std::vector<Body>& bodies, const std::vector<Role>& role) {
-  motion_ = motion;
-  for (std::size_t i = 0; i < role.size(); ++i) {
-    if (role[i] == Role::mobile) continue;
-    Vector3::Map(bodies[i].velocity) = role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
-    Vector3::Map(bodies[i].spin).setZero();
-  }
+std::array<double, 3> rates(const BoundaryMotion& motion) {
+  return {motion.compression_rate_x, motion.compression_rate_y, 0.0};
 }
 
-void Boundaries::advance(std::vector<Body>& bodies, std::size_t grains) {
+}  // namespace
+
+void Boundaries::advance() {
   const double step = settings_.time_step;
   cell_.lower.z() += step * motion_.bottom_velocity.z();
   cell_.upper.z() += step * motion_.top_velocity.z();
-  const std::array<double, 2> rate{motion_.compression_rate_x, motion_.compression_rate_y};
   for (int axis = 0; axis < 2; ++axis) {
-    if (rate[axis] == 0.0) continue;
-    const double factor = 1.0 - rate[axis] * step;
+    const double factor = 1.0 - rates(motion_)[axis] * step;
     const double centre = 0.5 * (cell_.lower[axis] + cell_.upper[axis]);
+    if (factor == 1.0) continue;
     cell_.lower[axis] = centre + factor * (cell_.lower[axis] - centre);
     cell_.upper[axis] = centre + factor * (cell_.upper[axis] - centre);
+  }
+}
+
+bool Boundaries::carries() const {
+  return (cell_.periodic[0] && motion_.compression_rate_x != 0.0) ||
+         (cell_.periodic[1] && motion_.compression_rate_y != 0.0);
+}
+
+void Boundaries::carry(std::vector<Body<double>>& bodies) const {
+  for (int axis = 0; axis < 2; ++axis) {
     if (!cell_.periodic[axis]) continue;
-    for (std::size_t i = 0; i < grains; ++i)
+    const double factor = 1.0 - rates(motion_)[axis] * settings_.time_step;
+    const double centre = 0.5 * (cell_.lower[axis] + cell_.upper[axis]);  // it does not move
+    for (std::size_t i = share_.begin; i < share_.end; ++i)
       bodies[i].position[axis] = centre + factor * (bodies[i].position[axis] - centre);
   }
 }
 
-void Boundaries::push(const std::vector<Body>& bodies, const std::vector<Role>& role, std::vector<Load>& loads) {
-  const double step_x = 0.5 * motion_.compression_rate_x * cell_.lengths().x();
-  const double step_y = 0.5 * motion_.compression_rate_y * cell_.lengths().y();
-  const Vector3 lower_velocity(step_x, step_y, motion_.bottom_velocity.z());
-  const Vector3 upper_velocity(-step_x, -step_y, motion_.top_velocity.z());
-  upper_plane_.setZero();
-  for (int axis = 0; axis < 3; ++axis) {
+void Boundaries::find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin) {
+  near_.clear();
+  for (std::uint8_t axis = 0; axis < 3; ++axis) {
     if (cell_.periodic[axis]) continue;
-    for (std::size_t i = 0; i < role.size(); ++i) {
-      const Body& body = bodies[i];
-      const double below = body.radius - (body.position[axis] - cell_.lower[axis]);
-      const double above = body.radius - (cell_.upper[axis] - body.position[axis]);
-      if ((below <= 0.0 && above <= 0.0) || role[i] != Role::mobile) continue;
-      if (below > 0.0)
-        loads[i].force[axis] += plane_normal_force(settings_.material, body.radius, body.mass, below,
-                                                   lower_velocity[axis] - body.velocity[axis]);
-      if (above > 0.0) {
-        const double force = plane_normal_force(settings_.material, body.radius, body.mass, above,
-                                                body.velocity[axis] - upper_velocity[axis]);
-        loads[i].force[axis] -= force;
-        upper_plane_[axis] -= force;
+    for (std::size_t i = share_.begin; i < share_.end; ++i) {
+      if (role[i] != Role::mobile) continue;
+      const Body<double>& body = bodies[i];
+      const double reach = body.radius + skin;
+      for (const bool upper : {false, true}) {
+        const double away = upper ? cell_.upper[axis] - body.position[axis] : body.position[axis] - cell_.lower[axis];
+        if (!(away > reach)) near_.push_back({static_cast<std::uint32_t>(i), axis, upper});
       }
     }
   }
-  drag_height_times_force_.setZero();
-  drag_moment_.setZero();
-  if (settings_.drag == 0.0) return;
-  for (std::size_t i = 0; i < role.size(); ++i) {
-    if (role[i] != Role::mobile) continue;
-    const Vector3 resistance = -settings_.drag * Vector3::Map(bodies[i].velocity);
-    const Vector3 position = Vector3::Map(bodies[i].position) - cell_.lower;
-    Vector3::Map(loads[i].force) += resistance;
-    drag_height_times_force_ += position.z() * resistance;
-    drag_moment_ += position.cwiseProduct(resistance);
-  }
 }
+
+double Boundaries::push_of(const Near& near, const Body<double>& body, double velocity) const {
+  const int axis = near.axis;
+  const double side = near.upper ? -1.0 : 1.0;
+  const double plane = near.upper ? cell_.upper[axis] : cell_.lower[axis];
+  const double overlap = body.radius - side * (body.position[axis] - plane);
+  if (overlap <= 0.0) return 0.0;
+  const double ends = 0.5 * rates(motion_)[axis] * cell_.lengths()[axis];
+  const double vertical = near.upper ? motion_.top_velocity.z() : motion_.bottom_velocity.z();
+  const double plane_velocity = axis == 2 ? vertical : side * ends;
+  return side * plane_normal_force(settings_.material, body.radius, body.mass, overlap,
+                                   side * (plane_velocity - velocity));
+}
+
+template <typename Real>
+void Boundaries::push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+                      std::vector<Load<Real>>& loads) const {
+  for (const Near& near : near_) {
+    const Body<double>& body = bodies[near.grain];
+    Real& force = loads[near.grain].force[near.axis];
+    force = static_cast<Real>(force + push_of(near, body, body.velocity[near.axis]));
+  }
+  if (settings_.drag == 0.0) return;
+  for (std::size_t i = share_.begin; i < share_.end; ++i)
+    for (int axis = 0; axis < 3 && role[i] == Role::mobile; ++axis)
+      loads[i].force[axis] = static_cast<Real>(loads[i].force[axis] - settings_.drag * bodies[i].velocity[axis]);
+}
+
+template void Boundaries::push(const std::vector<Body<double>>&, const std::vector<Role>&,
+                               std::vector<Load<double>>&) const;
+template void Boundaries::push(const std::vector<Body<double>>&, const std::vector<Role>&,
+                               std::vector<Load<float>>&) const;
 
 double Boundaries::mean_flow_speed(double reach) const {
   const Vector3 lengths = cell_.lengths();
-  return reach * ((motion_.top_velocity - motion_.bottom_velocity).norm() / lengths.z() +
-                  std::abs(motion_.compression_rate_x) + std::abs(motion_.compression_rate_y));
+  double speed = reach * (motion_.top_velocity - motion_.bottom_velocity).norm() / lengths.z();
+  for (int axis = 0; axis < 2; ++axis)  // a rigid side meets grains that do not know of it
+    speed += std::abs(rates(motion_)[axis]) * (cell_.periodic[axis] ? reach : std::max(reach, 0.5 * lengths[axis]));
+  return speed;
 }
 
 MeanFlow Boundaries::mean_flow() const {
@@ -82,6 +107,28 @@ MeanFlow Boundaries::mean_flow() const {
   Vector3::Map(flow.slope) = (motion_.top_velocity - motion_.bottom_velocity) / cell_.height();
   flow.origin = cell_.lower.z();
   return flow;
+}
+
+Box Boundaries::periods() const {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Box box{{-far, -far, -far, -far}, {far, far, far, far}};
+  for (int axis = 0; axis < 3; ++axis)
+    if (cell_.periodic[axis]) {
+      box.lower[axis] = cell_.lower[axis];
+      box.upper[axis] = cell_.upper[axis];
+    }
+  return box;
+}
+
+Box Boundaries::confines() const {
+  constexpr double far = std::numeric_limits<double>::max();
+  Box box{{-far, -far, -far, -far}, {far, far, far, far}};
+  for (int axis = 0; axis < 3; ++axis)
+    if (!cell_.periodic[axis]) {
+      box.lower[axis] = cell_.lower[axis];
+      box.upper[axis] = cell_.upper[axis];
+    }
+  return box;
 }
 
 }  // namespace flowslide::native

@@ -1,44 +1,72 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "dem/engine.hpp"
-#include "dem/native/contact_pass.hpp"
+#include "dem/native/body.hpp"
+#include "dem/native/motion_pass.hpp"
+#include "dem/native/share.hpp"
 
 namespace flowslide::native {
 
-/// Moves the cell and the glued layers, and adds what planes and drag do to the mobile grains.
+/// Moves the cell and adds what planes and drag do to the mobile grains of a share.
 class Boundaries {
  public:
-  Boundaries(const Cell& cell, const EngineSettings& settings) : cell_(cell), settings_(settings) {}
+  Boundaries(const Cell& cell, const EngineSettings& settings, const Share& share)
+      : cell_(cell), settings_(settings), share_(share) {}
 
   void set(const EngineSettings& settings) { settings_ = settings; }
-  /// Takes the velocities of the layers into their grains.
-  void move(const BoundaryMotion& motion, std::vector<Body>& bodies, const std::vector<Role>& role);
-  /// Advances planes and periods by a step; a shrinking period carries all grains affinely.
-  void advance(std::vector<Body>& bodies, std::size_t grains);
+  void move(const BoundaryMotion& motion) { motion_ = motion; }
+  /// Advances planes and periods by a step.
+  void advance();
+  /// Whether the sides move.
+  bool compresses() const { return motion_.compression_rate_x != 0.0 || motion_.compression_rate_y != 0.0; }
+  /// Whether a period changes, so that `advance` must be followed by `carry`.
+  bool carries() const;
+  /// A step of shrinking periods carries the share's grains affinely.
+  void carry(std::vector<Body<double>>& bodies) const;
+  /// Notes the mobile grains that are nearer to a plane than `skin` (m): only they can meet one before the next call.
+  void find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin);
   /// Adds the forces of planes and drag to the loads of the mobile grains.
-  void push(const std::vector<Body>& bodies, const std::vector<Role>& role, std::vector<Load>& loads);
+  template <typename Real>
+  void push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+            std::vector<Load<Real>>& loads) const;
+  /// Adds the forces of the upper planes on the grains, each along its axis, N. `velocity(grain, axis)` is that which
+  /// `push` has seen.
+  template <typename Velocity>
+  void add_upper_plane(const std::vector<Body<double>>& bodies, Velocity velocity, Vector3& force) const {
+    for (const Near& near : near_)
+      if (near.upper) force[near.axis] += push_of(near, bodies[near.grain], velocity(near.grain, near.axis));
+  }
 
   const Cell& cell() const { return cell_; }
+  const EngineSettings& settings() const { return settings_; }
   const BoundaryMotion& motion() const { return motion_; }
-  /// Forces of the upper planes on the grains, each along its axis, N, of the last `push`.
-  const Vector3& upper_plane() const { return upper_plane_; }
-  /// Sums over mobile grains of z f (vector) and of x f_x, y f_y, z f_z of the drag forces, N m, of the last `push`.
-  const Vector3& drag_height_times_force() const { return drag_height_times_force_; }
-  const Vector3& drag_moment() const { return drag_moment_; }
-  /// Bound on how fast two neighbours that follow the boundaries part or meet, m/s, if they are `reach` (m) apart.
+  /// Bound on how fast two neighbours, or a grain and a plane, that follow the boundaries part or meet, m/s, if they
+  /// are `reach` (m) apart.
   double mean_flow_speed(double reach) const;
   /// The boundaries' linear field of velocities.
   MeanFlow mean_flow() const;
+  /// What grains must be folded back into: the cell, open along rigid axes.
+  Box periods() const;
+  /// What grains must stay in: the cell, open (but finite) along periodic axes.
+  Box confines() const;
 
  private:
+  struct Near {
+    std::uint32_t grain;
+    std::uint8_t axis;
+    bool upper;
+  };
+  /// Force of a plane on a grain near it, along the axis, N.
+  double push_of(const Near& near, const Body<double>& body, double velocity) const;
+
   Cell cell_;
   EngineSettings settings_;
+  Share share_;
   BoundaryMotion motion_;
-  Vector3 upper_plane_ = Vector3::Zero();
-  Vector3 drag_height_times_force_ = Vector3::Zero(), drag_moment_ = Vector3::Zero();
+  std::vector<Near> near_;  ///< by axis, grain and side
 };
 
 }  // namespace flowslide::native

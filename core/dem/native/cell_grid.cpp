@@ -5,12 +5,25 @@
 #include <cmath>
 
 namespace flowslide::native {
+namespace {
 
-CellGrid::CellGrid(const Cell& cell, const std::vector<Body>& bodies, std::size_t grains, double skin)
-    : bodies_(bodies), skin_(skin), periodic_(cell.periodic), lower_(cell.lower), length_(cell.lengths()) {
+constexpr auto in_order = [](const NearPair& a, const NearPair& b) {
+  return a.first != b.first ? a.first < b.first : a.second < b.second;
+};
+
+}  // namespace
+
+template <typename Real>
+CellGrid::CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance)
+    : periodic_(cell.periodic), lower_(cell.lower), length_(cell.lengths()), sphere_(allowance.size()) {
+  const std::size_t grains = allowance.size();
   double largest = 0.0;
-  for (std::size_t i = 0; i < grains; ++i) largest = std::max(largest, bodies[i].radius);
-  const double width = 2.0 * largest + skin;
+  for (std::size_t i = 0; i < grains; ++i) {
+    const Body<Real>& body = bodies[i];
+    sphere_[i] = {{body.position[0], body.position[1], body.position[2]}, body.radius + allowance[i]};
+    largest = std::max(largest, sphere_[i].reach);
+  }
+  const double width = 2.0 * largest;
   for (int axis = 0; axis < 3; ++axis) {
     count_[axis] = std::max(1, static_cast<int>(length_[axis] / width));
     count_[axis] = std::min(count_[axis], 256);  // a sparse cell needs no more
@@ -19,14 +32,19 @@ CellGrid::CellGrid(const Cell& cell, const std::vector<Body>& bodies, std::size_
   std::vector<std::uint32_t> bin(grains);
   for (std::size_t i = 0; i < grains; ++i) {
     int index = 0;
-    for (int axis = 2; axis >= 0; --axis) index = index * count_[axis] + bin_along(axis, bodies[i].position[axis]);
+    for (int axis = 2; axis >= 0; --axis) index = index * count_[axis] + bin_along(axis, sphere_[i].position[axis]);
     bin[i] = static_cast<std::uint32_t>(index);
     ++start_[index + 1];
   }
   for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
   member_.resize(grains);
+  member_sphere_.resize(grains);
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::size_t i = 0; i < grains; ++i) member_[next[bin[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < grains; ++i) {
+    const std::uint32_t m = next[bin[i]]++;
+    member_[m] = static_cast<std::uint32_t>(i);
+    member_sphere_[m] = sphere_[i];
+  }
 }
 
 int CellGrid::bin_along(int axis, double coordinate) const {
@@ -34,40 +52,64 @@ int CellGrid::bin_along(int axis, double coordinate) const {
   return std::clamp(bin, 0, count_[axis] - 1);  // grains at rigid planes, and rounding
 }
 
-void CellGrid::later_neighbours(std::uint32_t i, std::vector<Neighbour>& found) const {
-  found.clear();
-  const Body& body = bodies_[i];
-  std::array<int, 3> centre;
-  for (int axis = 0; axis < 3; ++axis) centre[axis] = bin_along(axis, body.position[axis]);
-  for (int dz = -1; dz <= 1; ++dz)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const std::array<int, 3> offset{dx, dy, dz};
-        std::array<int, 3> bin, image{0, 0, 0};
-        bool inside = true;
-        for (int axis = 0; axis < 3; ++axis) {
-          bin[axis] = centre[axis] + offset[axis];
-          if (bin[axis] >= 0 && bin[axis] < count_[axis]) continue;
-          inside = inside && periodic_[axis];
-          image[axis] = bin[axis] < 0 ? -1 : 1;
-          bin[axis] -= image[axis] * count_[axis];
-        }
-        if (!inside) continue;
-        const int b = (bin[2] * count_[1] + bin[1]) * count_[0] + bin[0];
-        for (std::uint32_t m = start_[b]; m < start_[b + 1]; ++m) {
-          const std::uint32_t j = member_[m];
-          if (j <= i) continue;
-          const Body& other = bodies_[j];
-          const double reach = body.radius + other.radius + skin_;
-          double squared = 0.0;
-          for (int axis = 0; axis < 3; ++axis) {
-            const double d = body.position[axis] - other.position[axis] - image[axis] * length_[axis];
-            squared += d * d;
-          }
-          if (squared < reach * reach) found.push_back({j, image_of(image[0], image[1], image[2])});
-        }
-      }
-  std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+void CellGrid::add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t last_bin,
+                             const std::array<int, 3>& image, const Share& share, std::vector<NearPair>& later,
+                             std::vector<NearPair>& earlier) const {
+  const Sphere& own = sphere_[i];
+  const double x = own.position[0] - image[0] * length_[0], y = own.position[1] - image[1] * length_[1],
+               z = own.position[2] - image[2] * length_[2];
+  for (std::uint32_t m = start_[first_bin]; m < start_[last_bin + 1]; ++m) {
+    const Sphere& other = member_sphere_[m];
+    const double dx = x - other.position[0], dy = y - other.position[1], dz = z - other.position[2];
+    const double reach = own.reach + other.reach;
+    if (dx * dx + dy * dy + dz * dz >= reach * reach) continue;
+    const std::uint32_t j = member_[m];
+    if (j > i) later.push_back({i, j, image_of(image[0], image[1], image[2])});
+    if (j < share.begin) earlier.push_back({j, i, image_of(-image[0], -image[1], -image[2])});
+  }
 }
+
+void CellGrid::add_pairs(std::uint32_t i, const Share& share, std::vector<NearPair>& later,
+                         std::vector<NearPair>& earlier) const {
+  std::array<int, 3> centre;
+  for (int axis = 0; axis < 3; ++axis) centre[axis] = bin_along(axis, sphere_[i].position[axis]);
+  const auto wrap = [&](int axis, int& bin, int& image) {
+    image = bin < 0 ? -1 : bin >= count_[axis] ? 1 : 0;
+    bin -= image * count_[axis];
+    return image == 0 || periodic_[axis];
+  };
+  std::array<int, 3> image;
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy) {
+      int by = centre[1] + dy, bz = centre[2] + dz;
+      if (!wrap(1, by, image[1]) || !wrap(2, bz, image[2])) continue;
+      const std::size_t row = (static_cast<std::size_t>(bz) * count_[1] + by) * count_[0];
+      // The bins along x stand side by side, but for those beyond a face of the cell.
+      const int from = std::max(centre[0] - 1, 0), to = std::min(centre[0] + 1, count_[0] - 1);
+      image[0] = 0;
+      add_from_bins(i, row + from, row + to, image, share, later, earlier);
+      for (int bx : {centre[0] - 1, centre[0] + 1}) {
+        if (bx >= 0 && bx < count_[0]) continue;
+        if (wrap(0, bx, image[0])) add_from_bins(i, row + bx, row + bx, image, share, later, earlier);
+      }
+    }
+}
+
+std::vector<NearPair> CellGrid::pairs(const Share& share) const {
+  std::vector<NearPair> later, earlier;
+  later.reserve(4 * (share.end - share.begin));
+  for (std::size_t i = share.begin; i < share.end; ++i) {
+    const auto before = static_cast<std::ptrdiff_t>(later.size());
+    add_pairs(static_cast<std::uint32_t>(i), share, later, earlier);
+    std::sort(later.begin() + before, later.end(), in_order);
+  }
+  if (earlier.empty()) return later;
+  std::sort(earlier.begin(), earlier.end(), in_order);
+  earlier.insert(earlier.end(), later.begin(), later.end());
+  return earlier;
+}
+
+template CellGrid::CellGrid(const Cell&, const std::vector<Body<double>>&, const std::vector<double>&);
+template CellGrid::CellGrid(const Cell&, const std::vector<Body<float>>&, const std::vector<double>&);
 
 }  // namespace flowslide::native

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/native/contact_pass.hpp"
+#include "dem/native/body.hpp"
+#include "dem/native/share.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
@@ -14,29 +15,39 @@ constexpr std::uint8_t image_of(int x, int y, int z) {
   return static_cast<std::uint8_t>(((x + 1) * 3 + y + 1) * 3 + z + 1);
 }
 
-/// A grain near another, and the image of it that is near.
-struct Neighbour {
-  std::uint32_t index;
+/// A pair of grains, and the image of the second that is near the first.
+struct NearPair {
+  std::uint32_t first, second;
   std::uint8_t image;
 };
 
 /// Bins of the grains, each as wide as the reach of the largest pair.
 class CellGrid {
  public:
-  /// `bodies` are folded into the cell; only the first `grains` count.
-  CellGrid(const Cell& cell, const std::vector<Body>& bodies, std::size_t grains, double skin);
-  /// Grains of larger index than i within touching plus skin, sorted by index.
-  void later_neighbours(std::uint32_t i, std::vector<Neighbour>& found) const;
+  /// `bodies` are folded into the cell; as many count as there are allowances, m, by which each reaches beyond its
+  /// surface.
+  template <typename Real>
+  CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance);
+  /// Pairs nearer than touching plus the allowances of both, first < second, that the share owns at least one of,
+  /// sorted.
+  std::vector<NearPair> pairs(const Share& share) const;
 
  private:
+  struct Sphere {
+    double position[3], reach;
+  };
   int bin_along(int axis, double coordinate) const;
+  void add_pairs(std::uint32_t i, const Share& share, std::vector<NearPair>& later,
+                 std::vector<NearPair>& earlier) const;
+  void add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t last_bin, const std::array<int, 3>& image,
+                     const Share& share, std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
 
-  const std::vector<Body>& bodies_;
-  double skin_;
   std::array<bool, 3> periodic_;
   Vector3 lower_, length_;
   std::array<int, 3> count_;
+  std::vector<Sphere> sphere_;                 ///< by grain
   std::vector<std::uint32_t> start_, member_;  ///< members of bin b: member_[start_[b]] up to start_[b + 1]
+  std::vector<Sphere> member_sphere_;          ///< by member
 };
 
 }  // namespace flowslide::native

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
+#include <type_traits>
 
 #include "dem/stress_sums.hpp"
 #include "grains/contact_forces.hpp"
@@ -14,13 +16,10 @@ namespace flowslide {
 namespace {
 
 using native::Body;
-using native::Load;
+using native::Share;
 
-/// What the list reaches beyond touching, as shares of the smallest diameter. A small skin leaves few open pairs in the
-/// list, a large one lasts longer; the engine looks for the balance, and no result depends on it.
-constexpr double smallest_skin = 0.002, largest_skin = 0.1;
-/// Steps that a list should last: fewer, and the skin grows; more, and it shrinks.
-constexpr std::int64_t shortest_age = 40, longest_age = 160;
+/// Grains from which more than one thread pays: below, one run on each core gets more done.
+constexpr std::size_t grains_for_threads = 10'000;
 
 bool mobile(Role role) { return role == Role::mobile; }
 
@@ -31,204 +30,251 @@ Vector3 folded(const Cell& cell, Vector3 position) {
   return position;
 }
 
+template <typename Load>
+Vector3 force_of(const Load& load) {
+  return {load.force[0], load.force[1], load.force[2]};
+}
+template <typename Load>
+Vector3 torque_of(const Load& load) {
+  return {load.torque[0], load.torque[1], load.torque[2]};
+}
+
+/// Pads of the pair list: two grains that never touch.
+void pad(std::vector<Body<double>>& bodies, std::size_t n) {
+  bodies[n + 1].position[0] = 1.0;
+  for (std::size_t i : {n, n + 1}) {
+    bodies[i].radius = 1e-3;
+    bodies[i].mass = bodies[i].inertia = 1.0;
+  }
+}
+
 }  // namespace
 
-NativeEngine::NativeEngine(double first_skin)
-    : first_skin_(first_skin), contact_pass_(native::contact_pass()), motion_pass_(native::motion_pass()) {}
-NativeEngine::~NativeEngine() = default;
+template <typename Real>
+NativeEngine<Real>::NativeEngine(const NativeOptions& options) : options_(options) {
+  if (options.threads < 0)
+    throw EngineError(fmt::format("the native engine cannot use {} threads; allowed: 1 and more, or 0 to let it choose",
+                                  options.threads));
+  if (options_.instruction_set.empty()) options_.instruction_set = native::instruction_sets().back();
+}
 
-void NativeEngine::load(const Assembly& assembly, const EngineSettings& settings) {
-  settings_ = settings;
-  role_ = assembly.role;
+template <typename Real>
+NativeEngine<Real>::~NativeEngine() = default;
+
+template <typename Real>
+void NativeEngine<Real>::take_grains(const Assembly& assembly) {
   const std::size_t n = assembly.size();
-  bodies_.assign(n + 2, Body{});
-  loads_.assign(n + 2, Load{});
+  grains_.role = assembly.role;
+  glued_.clear();
+  grains_.bodies.assign(n + 2, Body<double>{});
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    Body& body = bodies_[i];
+    Body<double>& body = grains_.bodies[i];
     Vector3::Map(body.position) = folded(assembly.cell, assembly.position[i]);
     Vector3::Map(body.velocity) = assembly.velocity[i];
     Vector3::Map(body.spin) = assembly.spin[i];
     body.radius = assembly.radius[i];
-    body.mass = sphere_mass(body.radius, settings.material);
-    body.inertia = 0.4 * body.mass * body.radius * body.radius;
-    Vector3::Map(loads_[i].force) = assembly.force[i];
-    Vector3::Map(loads_[i].torque) = assembly.torque[i];
+    body.mass = sphere_mass(body.radius, settings_.material);
+    body.inertia = sphere_inertia(body.radius, settings_.material);
     largest = std::max(largest, body.radius);
+    if (!mobile(grains_.role[i])) glued_.push_back(static_cast<std::uint32_t>(i));
   }
-  bodies_[n + 1].position[0] = 1.0;  // the pair that pads tiles never touches
-  for (Body* pad : {&bodies_[n], &bodies_[n + 1]}) {
-    pad->radius = 1e-3;
-    pad->mass = pad->inertia = 1.0;
+  pad(grains_.bodies, n);
+  grains_.moments.assign((n + native::block_size - 1) / native::block_size, {});
+  grains_.largest_diameter = 2.0 * largest;
+  grains_.smallest_diameter = 2.0 * assembly.smallest_radius();
+}
+
+/// Whole blocks for each.
+template <typename Real>
+std::vector<Share> NativeEngine<Real>::shares(int threads) const {
+  const std::size_t n = grains_.role.size(), blocks = grains_.moments.size();
+  std::vector<Share> parts;
+  for (std::size_t t = 0, count = static_cast<std::size_t>(threads); t < count; ++t)
+    parts.push_back({blocks * t / count * native::block_size,
+                     std::min(n, blocks * (t + 1) / count * native::block_size)});
+  return parts;
+}
+
+template <typename Real>
+void NativeEngine<Real>::hire(const Cell& cell) {
+  const std::size_t n = grains_.role.size();
+  int threads = options_.threads;
+  if (threads == 0) threads = n < grains_for_threads ? 1 : static_cast<int>(std::thread::hardware_concurrency());
+  threads = std::clamp(threads, 1, std::max(1, static_cast<int>(grains_.moments.size())));
+  if (!team_ || team_->size() != threads) team_ = std::make_unique<native::ThreadTeam>(threads);
+  const bool alone = threads == 1 && std::is_same_v<Real, double>;
+  for (auto& published : grains_.published) {
+    published.clear();
+    for (std::size_t i = 0; i < n + 2 && !alone; ++i)
+      published.push_back(native::in_precision<Real>(grains_.bodies[i]));
   }
-  boundaries_ = std::make_unique<native::Boundaries>(assembly.cell, settings);
-  list_ = std::make_unique<native::PairList>();
-  largest_diameter_ = 2.0 * largest;
-  smallest_diameter_ = 2.0 * assembly.smallest_radius();
-  skin_ = first_skin_ * smallest_diameter_;
-  list_age_ = 0;
-  const double least_period = 2.0 * (largest_diameter_ + largest_skin * smallest_diameter_);
+  const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set, options_.arithmetic);
+  workers_.clear();
+  for (const Share& share : shares(threads))
+    workers_.emplace_back(share, grains_, native::Boundaries(cell, settings_, share),
+                          options_.first_allowance * grains_.smallest_diameter, passes);
+}
+
+template <typename Real>
+void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& settings) {
+  settings_ = settings;
+  take_grains(assembly);
+  const double least_period = 2.0 * native::Worker<Real>::longest_reach(grains_);
   for (int axis = 0; axis < 3; ++axis)
     if (assembly.cell.periodic[axis] && assembly.cell.lengths()[axis] < least_period)
       throw EngineError(fmt::format("the cell is {} m long along periodic axis {}; a grain would meet two images of "
                                     "another: at least {} m are needed", assembly.cell.lengths()[axis], axis,
                                     least_period));
+  hire(assembly.cell);
   prepare_law();
-  if (const auto inside = count_grains(); inside != n)
-    throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
-                                  n - inside, n));
-  rebuild();
-  list_->set_histories(assembly.contacts);
-  // The sums that the last step left, for a stress before the first step.
-  virial_[0] = virial_[1] = 0.0;
+  // Forces and virial of the last step, for a stress before the first.
   const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
-  for (const Contact& contact : forces.contacts)
-    for (int axis = 0; axis < 2; ++axis) virial_[axis] += contact.branch[axis] * contact.force.on_first[axis];
-  // Planes and drag see the velocities of the half step.
-  std::vector<Body> half = bodies_;
-  for (std::size_t i = 0; i < n; ++i) Vector3::Map(half[i].velocity) -= kick_[i] * assembly.force[i];
-  std::vector<Load> nowhere(n + 2, Load{});
-  boundaries_->push(half, role_, nowhere);
+  for (native::Worker<Real>& worker : workers_) {
+    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
+        worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
+      }
+    for (const Contact& contact : forces.contacts)
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        worker.virial()[contact.first][axis] +=
+            contact.branch[static_cast<int>(axis)] * contact.force.on_first[static_cast<int>(axis)];
+    worker.measure(turn_);
+  }
+  sum_up();
+  if (const auto inside = count_grains(); inside != assembly.size())
+    throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
+                                  assembly.size() - inside, assembly.size()));
+  for (native::Worker<Real>& worker : workers_) {
+    worker.rebuild(turn_);
+    worker.list().set_histories(assembly.contacts);
+  }
 }
 
-void NativeEngine::prepare_law() {
+template <typename Real>
+void NativeEngine<Real>::prepare_law() {
   const Material& m = settings_.material;
   const PairConstants pair = pair_constants(m, 1.0, 1.0);  // moduli and damping do not depend on the radii
   const double dashpot = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping;
-  law_ = {.normal_stiffness = 4.0 / 3.0 * pair.effective_modulus,
-          .normal_damping = dashpot * std::sqrt(2.0 * pair.effective_modulus),
-          .tangential_stiffness = 8.0 * pair.effective_shear_modulus,
-          .tangential_damping = dashpot * std::sqrt(8.0 * pair.effective_shear_modulus),
-          .sliding_friction = m.sliding_friction,
-          .rolling_friction = m.rolling_friction,
-          .rolling_stiffness = m.rolling_stiffness * m.rolling_friction * m.rolling_friction,
-          .rolling_damping = 2.0 * m.rolling_viscous_damping,
-          .time_step = settings_.time_step};
-  kick_.resize(role_.size());
-  twist_.resize(role_.size());
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    kick_[i] = mobile(role_[i]) ? 0.5 * settings_.time_step / bodies_[i].mass : 0.0;
-    twist_[i] = mobile(role_[i]) ? 0.5 * settings_.time_step / bodies_[i].inertia : 0.0;
+  const double hertz = 4.0 / 3.0 * pair.effective_modulus;
+  const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
+  const auto in_law = [](double x) { return static_cast<Real>(x); };
+  grains_.time_step = settings_.time_step;
+  grains_.law = {.normal_stiffness = in_law(hertz),
+                 .normal_damping = in_law(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
+                 .tangential_stiffness = in_law(8.0 * pair.effective_shear_modulus),
+                 .tangential_damping = in_law(dashpot * std::sqrt(8.0 * pair.effective_shear_modulus)),
+                 .sliding_friction = in_law(m.sliding_friction),
+                 .rolling_friction = in_law(m.rolling_friction),
+                 .rolling_stiffness = in_law(rolling),
+                 .rolling_damping = in_law(2.0 * m.rolling_viscous_damping * std::sqrt(rolling * hertz)),
+                 .time_step = in_law(settings_.time_step)};
+  grains_.variant = m.rolling_friction > 0.0   ? native::LawVariant::sliding_and_rolling
+                    : m.sliding_friction > 0.0 ? native::LawVariant::sliding
+                                               : native::LawVariant::frictionless;
+  const std::size_t n = grains_.role.size();
+  grains_.kick.resize(n);
+  grains_.twist.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool moves = mobile(grains_.role[i]);
+    grains_.kick[i] = moves ? 0.5 * settings_.time_step / grains_.bodies[i].mass : 0.0;
+    grains_.twist[i] = moves ? 0.5 * settings_.time_step / grains_.bodies[i].inertia : 0.0;
   }
-  variant_ = m.rolling_friction > 0.0   ? native::LawVariant::sliding_and_rolling
-             : m.sliding_friction > 0.0 ? native::LawVariant::sliding
-                                        : native::LawVariant::frictionless;
 }
 
-void NativeEngine::fold() {
-  // At every step, not when the list is built: a folded coordinate rounds differently.
-  const Cell& cell = boundaries_->cell();
-  for (std::size_t i = 0; i < role_.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      double& x = bodies_[i].position[axis];
-      const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
-      if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
-      const int periods = below ? 1 : -1;
-      x += periods * cell.lengths()[axis];
-      list_->carry(static_cast<std::uint32_t>(i), axis, periods);
-    }
-}
-
-void NativeEngine::rebuild() {
-  const Cell& cell = boundaries_->cell();
-  if (list_age_ > 0) {  // not the first
-    if (list_age_ < shortest_age) skin_ = std::min(1.5 * skin_, largest_skin * smallest_diameter_);
-    if (list_age_ > longest_age) skin_ = std::max(0.8 * skin_, smallest_skin * smallest_diameter_);
-  }
-  list_->build(cell, bodies_, role_, skin_);
-  skin_left_ = skin_;
-  list_age_ = 0;
-}
-
-void NativeEngine::set(const EngineSettings& settings) {
+template <typename Real>
+void NativeEngine<Real>::set(const EngineSettings& settings) {
   settings_ = settings;
-  boundaries_->set(settings);
+  for (native::Worker<Real>& worker : workers_) worker.boundaries().set(settings);
   prepare_law();
 }
 
-void NativeEngine::move(const BoundaryMotion& motion) { boundaries_->move(motion, bodies_, role_); }
-
-void NativeEngine::move_grains(native::MotionPart part) {
-  const double squared = motion_pass_(part, role_.size(), settings_.time_step, kick_.data(), twist_.data(),
-                                      boundaries_->mean_flow(), bodies_.data(), loads_.data());
-  if (part == native::MotionPart::end) return;
-  boundaries_->advance(bodies_, role_.size());
-  // Two neighbours approach by at most twice the fastest fluctuation and what the mean flow does over their distance.
-  const double approach = 2.0 * std::sqrt(squared) + boundaries_->mean_flow_speed(largest_diameter_ + skin_);
-  skin_left_ -= settings_.time_step * approach;
-  ++list_age_;
-  fold();
-  if (!(skin_left_ > 0.0)) rebuild();
-}
-
-void NativeEngine::evaluate_forces(bool last) {
-  virial_[0] = virial_[1] = 0.0;
-  contact_pass_(variant_, law_, list_->view(boundaries_->cell()), bodies_.data(), loads_.data(),
-                last ? virial_ : nullptr);
-  boundaries_->push(bodies_, role_, loads_);
-}
-
-void NativeEngine::run(std::int64_t steps) {
-  for (std::int64_t s = 0; s < steps; ++s) {
-    move_grains(s == 0 ? native::MotionPart::begin : native::MotionPart::end_and_begin);
-    evaluate_forces(s + 1 == steps);
+template <typename Real>
+void NativeEngine<Real>::move(const BoundaryMotion& motion) {
+  for (native::Worker<Real>& worker : workers_) worker.boundaries().move(motion);
+  for (const std::uint32_t i : glued_) {
+    Body<double>& body = grains_.bodies[i];
+    Vector3::Map(body.velocity) = grains_.role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
+    Vector3::Map(body.spin).setZero();
   }
-  if (steps > 0) move_grains(native::MotionPart::end);
 }
 
-CellStress NativeEngine::cell_stress() const {
-  const Vector3 lower = boundaries_->cell().lower;
-  StressSums sums;
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    const auto force = Vector3::Map(loads_[i].force);
-    if (role_[i] == Role::top_layer) sums.top_force -= force;
-    if (!mobile(role_[i])) continue;
-    const Vector3 position = Vector3::Map(bodies_[i].position) - lower;
-    sums.mobile_height_times_force += position.z() * force;
-    sums.mobile_moment += position.cwiseProduct(force);
-  }
-  sums.mobile_height_times_force -= boundaries_->drag_height_times_force();
-  sums.mobile_moment -= boundaries_->drag_moment();
-  sums.top_force.z() += boundaries_->upper_plane().z();
-  sums.upper_plane = boundaries_->upper_plane();
-  sums.pair_virial_x = virial_[0];
-  sums.pair_virial_y = virial_[1];
-  return stress_of(sums, boundaries_->cell());
-}
-
-Cell NativeEngine::cell() const { return boundaries_->cell(); }
-
-std::uint64_t NativeEngine::count_grains() const {
-  const Cell& cell = boundaries_->cell();
-  std::uint64_t inside = 0;
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    bool in = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = bodies_[i].position[axis];
-      in = in && (cell.periodic[axis] ? std::isfinite(x) : x >= cell.lower[axis] && x <= cell.upper[axis]);
+template <typename Real>
+void NativeEngine<Real>::run(std::int64_t steps) {
+  if (steps <= 0) return;
+  team_->run([this, steps](int number) {
+    native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
+    int turn = turn_;
+    for (std::int64_t step = 0; step < steps; ++step) {
+      turn = 1 - turn;
+      worker.begin(step == 0, turn);
+      team_->barrier();
+      worker.meet(workers_, turn);
+      worker.evaluate(turn, step + 1 == steps);
     }
-    inside += in;
-  }
-  return inside;
+    worker.end(turn);
+  });
+  turn_ = static_cast<int>((turn_ + steps) % 2);
+  sum_up();
 }
 
-Assembly NativeEngine::save() const {
+template <typename Real>
+void NativeEngine<Real>::sum_up() {
+  native::Moments moments;
+  for (const native::Moments& block : grains_.moments) moments += block;
+  inside_ = moments.inside;
+  sums_ = {};
+  sums_.mobile_height_times_force = Vector3::Map(moments.height_times_force);
+  sums_.mobile_moment = Vector3::Map(moments.moment);
+  sums_.pair_virial_x = moments.virial[0];
+  sums_.pair_virial_y = moments.virial[1];
+  for (const native::Worker<Real>& worker : workers_) worker.add_boundary_forces(sums_);
+  sums_.top_force.z() += sums_.upper_plane.z();
+}
+
+template <typename Real>
+CellStress NativeEngine<Real>::cell_stress() const {
+  return stress_of(sums_, cell());
+}
+
+template <typename Real>
+Cell NativeEngine<Real>::cell() const {
+  return workers_.at(0).boundaries().cell();
+}
+
+template <typename Real>
+Assembly NativeEngine<Real>::save() const {
   Assembly assembly;
-  assembly.cell = boundaries_->cell();
-  assembly.resize(role_.size());
-  for (std::size_t i = 0; i < role_.size(); ++i) {
-    assembly.position[i] = Vector3::Map(bodies_[i].position);
-    assembly.velocity[i] = Vector3::Map(bodies_[i].velocity);
-    assembly.spin[i] = Vector3::Map(bodies_[i].spin);
-    assembly.force[i] = Vector3::Map(loads_[i].force);
-    assembly.torque[i] = Vector3::Map(loads_[i].torque);
-    assembly.radius[i] = bodies_[i].radius;
-    assembly.role[i] = role_[i];
-  }
-  assembly.contacts = list_->histories(bodies_);
+  assembly.cell = cell();
+  assembly.resize(grains_.role.size());
+  for (const native::Worker<Real>& worker : workers_)
+    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i) {
+      const Body<double>& body = grains_.bodies[i];
+      assembly.position[i] = Vector3::Map(body.position);
+      assembly.velocity[i] = Vector3::Map(body.velocity);
+      assembly.spin[i] = Vector3::Map(body.spin);
+      assembly.force[i] = force_of(worker.loads()[i]);
+      assembly.torque[i] = torque_of(worker.loads()[i]);
+      assembly.radius[i] = body.radius;
+      assembly.role[i] = grains_.role[i];
+    }
+  for (const native::Worker<Real>& worker : workers_) worker.add_histories(turn_, assembly.contacts);
   return assembly;
 }
 
-std::string NativeEngine::version() const { return FLOWSLIDE_VERSION; }
+template <typename Real>
+std::string NativeEngine<Real>::name() const {
+  if constexpr (std::is_same_v<Real, float>) return "native-mixed";
+  return options_.arithmetic == native::Arithmetic::fused ? "native-fused" : "native";
+}
+
+template <typename Real>
+std::string NativeEngine<Real>::version() const {
+  return FLOWSLIDE_VERSION;
+}
+
+template class NativeEngine<double>;
+template class NativeEngine<float>;
 
 }  // namespace flowslide

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dem/engine.hpp"
-#include "dem/native/boundaries.hpp"
-#include "dem/native/contact_pass.hpp"
-#include "dem/native/pair_list.hpp"
+#include "dem/native/thread_team.hpp"
+#include "dem/native/worker.hpp"
+#include "dem/stress_sums.hpp"
 
 namespace flowslide {
 
+/// How the native engine goes about its work. In portable arithmetic no bit of a result depends on it.
+struct NativeOptions {
+  native::Arithmetic arithmetic = native::Arithmetic::portable;
+  int threads = 0;                   ///< 0: one below 10 000 grains, else one for each core
+  double first_allowance = 1e-3;     ///< by how much a grain may stray at first before the pair list is built anew, in
+                                     ///< smallest diameters
+  std::string instruction_set = {};  ///< empty: the widest that the processor has
+};
+
 /// This project's own engine: the same law, scheme and order of operations as LIGGGHTS with histories cleared at
 /// separation, in tiles of contacts for wide vectors (see native/contact_pass.hpp). Second order in dt_L without
-/// dashpots, which see the velocities of the half step and make it first order. Same bits for any skin, any time of
-/// building the list and any instruction set. One thread; ranks of MPI each compute the same.
+/// dashpots, which see the velocities of the half step and make it first order. Same bits for any number of threads,
+/// time of building the pair list and, in portable arithmetic, any compiler and instruction set. Ranks of MPI each compute the same.
+///
+/// `Real` is the precision of the law, the histories and the sums of forces; positions, gaps and the integration are in
+/// double. In float, forces carry rounding of 1e-7 of the largest: prepare samples in double.
+template <typename Real>
 class NativeEngine : public Engine {
  public:
-  /// `first_skin`: what the list reaches beyond touching at first, as a share of the smallest diameter.
-  explicit NativeEngine(double first_skin = 0.01);
+  explicit NativeEngine(const NativeOptions& options = {});
   ~NativeEngine() override;
 
   void load(const Assembly& assembly, const EngineSettings& settings) override;
@@ -28,34 +42,30 @@ class NativeEngine : public Engine {
   void run(std::int64_t steps) override;
   CellStress cell_stress() const override;
   Cell cell() const override;
-  std::uint64_t count_grains() const override;
-  std::string name() const override { return "native"; }
+  std::uint64_t count_grains() const override { return inside_; }
+  std::string name() const override;
   std::string version() const override;
+  int threads() const { return team_ ? team_->size() : 1; }
 
  private:
+  void take_grains(const Assembly& assembly);
+  void hire(const Cell& cell);
   void prepare_law();
-  void fold();
-  void rebuild();
-  void move_grains(native::MotionPart part);
-  void evaluate_forces(bool last);
+  std::vector<native::Share> shares(int threads) const;
+  void sum_up();
 
-  double first_skin_;
+  NativeOptions options_;
   EngineSettings settings_;
-  std::vector<Role> role_;
-  std::vector<native::Body> bodies_;  ///< two more than grains: they pad the pair list
-  std::vector<native::Load> loads_;
-  std::unique_ptr<native::PairList> list_;
-  std::unique_ptr<native::Boundaries> boundaries_;
-  native::ContactPass contact_pass_;
-  native::MotionPass motion_pass_;
-  std::vector<double> kick_, twist_;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
-  native::LawConstants law_{};
-  native::LawVariant variant_ = native::LawVariant::sliding_and_rolling;
-  double skin_left_ = 0.0;     ///< m that two neighbours may still approach before the list is built anew
-  double skin_ = 0.0;          ///< m, of the next list
-  std::int64_t list_age_ = 0;  ///< steps since the list was built
-  double smallest_diameter_ = 0.0, largest_diameter_ = 0.0;  ///< m
-  double virial_[2] = {0.0, 0.0};                            ///< of the last step, N m
+  native::Grains<Real> grains_;
+  std::vector<native::Worker<Real>> workers_;
+  std::unique_ptr<native::ThreadTeam> team_;
+  int turn_ = 0;                      ///< which of the published arrays is the last that was written
+  std::vector<std::uint32_t> glued_;  ///< grains that are not mobile
+  StressSums sums_;                   ///< of the last step
+  std::size_t inside_ = 0;
 };
+
+using DoubleEngine = NativeEngine<double>;
+using MixedEngine = NativeEngine<float>;
 
 }  // namespace flowslide

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <cmath>
+#include <limits>
+
+#include "dem/native/isa/row.hpp"
+#include "dem/native/motion_pass.hpp"
+
+namespace flowslide::native {
+inline namespace FLOWSLIDE_ISA {
+
+using Mask = decltype(DoubleRow{} < DoubleRow{});
+inline double sum_of_three(DoubleRow row) { return row[0] + row[1] + row[2]; }
+inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+/// The motion pass with its part known at compile time. The last number of a row of loads is 0, so that mass and
+/// inertia, which stand behind velocity and spin, stay what they are.
+template <typename Real, bool End, bool Begin>
+inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& box, const MovingGrains<Real>& g) {
+  const DoubleRow drift{time_step, time_step, time_step, 0.0};
+  const DoubleRow base = row_at(flow.base), slope = row_at(flow.slope);
+  const DoubleRow lower = row_at(box.lower), upper = row_at(box.upper);
+  Mask outside{};
+  double fastest = 0.0;
+  for (std::size_t i = g.begin; i < g.end; ++i) {
+    Body<double>& body = g.bodies[i];
+    Load<Real>& load = g.loads[i];
+    const DoubleRow kicked = g.kick[i] * in_double(row_at(load.force));
+    const DoubleRow twisted = g.twist[i] * in_double(row_at(load.torque));
+    DoubleRow velocity = row_at(body.velocity) + kicked, spin = row_at(body.spin) + twisted;
+    if constexpr (End && Begin) {
+      velocity += kicked;
+      spin += twisted;
+    }
+    put_row(body.velocity, velocity);
+    put_row(body.spin, spin);
+    if constexpr (Begin) {
+      const DoubleRow fluctuation = velocity - (base + slope * (body.position[2] - flow.origin));
+      const double squared = sum_of_three(fluctuation * fluctuation);
+      fastest = squared > fastest ? squared : fastest;
+      const DoubleRow position = row_at(body.position) + drift * velocity;
+      outside |= (position < lower) | (position >= upper);
+      put_row(body.position, position);
+      put_row(load.force, Row<Real>{});
+      put_row(load.torque, Row<Real>{});
+      if (static_cast<void*>(g.published) == g.bodies) continue;
+      Body<Real>& published = g.published[i];
+      put_row(published.position, position);
+      put_row(published.velocity, rounded<Real>(velocity));
+      put_row(published.spin, rounded<Real>(spin));
+    }
+  }
+  return {fastest, any(outside)};
+}
+
+/// See SlackPass.
+template <typename Real>
+inline double slack(const MeanDrift& drift, const Start* start, const MovingGrains<Real>& g) {
+  const DoubleRow offset = row_at(drift.offset), gradient = row_at(drift.gradient);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = g.begin; i < g.end; ++i) {
+    const DoubleRow from = row_at(start[i].position);
+    const DoubleRow stray = row_at(g.bodies[i].position) - (from + offset + gradient * from[2]);
+    const double left = start[i].allowance - std::sqrt(sum_of_three(stray * stray));
+    least = left < least ? left : least;
+  }
+  return least;
+}
+
+/// See MomentPass.
+template <typename Real>
+inline Moments moments(const double* origin, const Box& box, const MovingGrains<Real>& g, const double (*virial)[2]) {
+  const DoubleRow at = row_at(origin), lower = row_at(box.lower), upper = row_at(box.upper);
+  DoubleRow height_times_force{}, moment{};
+  Moments sums;
+  for (std::size_t i = g.begin; i < g.end; ++i) {
+    const DoubleRow position = row_at(g.bodies[i].position), arm = position - at;
+    // Glued grains count with zero; their forces are finite.
+    const DoubleRow force = (g.kick[i] > 0.0 ? 1.0 : 0.0) * in_double(row_at(g.loads[i].force));
+    height_times_force += arm[2] * force;
+    moment += arm * force;
+    const Mask inside = (position >= lower) & (position <= upper);
+    sums.inside += (inside[0] & inside[1] & inside[2]) != 0;
+    for (int axis = 0; axis < 2; ++axis) sums.virial[axis] += virial[i][axis];
+  }
+  put_row(sums.height_times_force, height_times_force);
+  put_row(sums.moment, moment);
+  return sums;
+}
+
+}  // namespace FLOWSLIDE_ISA
+}  // namespace flowslide::native

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The contact pass, in tiles of contacts with three short loops each (gather, law, scatter), and the passes over
+// grains. Compiled once per instruction set (see core/CMakeLists.txt) into a namespace of its own, so that no function
+// for wide vectors is ever linked elsewhere.
+#include "dem/native/isa/gather.hpp"
+#include "dem/native/isa/law.hpp"
+#include "dem/native/isa/motion.hpp"
+#include "dem/native/isa/scatter.hpp"
+#include "dem/native/passes.hpp"
+
+namespace flowslide::native {
+inline namespace FLOWSLIDE_ISA {
+namespace {
+
+template <typename Real, bool Sliding, bool Rolling>
+void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs, const Body<Real>* bodies,
+               Load<Real>* loads, double (*virial)[2]) {
+  constexpr bool spins = Sliding || Rolling;
+  Tile<Real> tile;
+  for (std::size_t start = 0; start < pairs.count; start += Tile<Real>::size) {
+    gather<Real, spins>(pairs, start, bodies, tile);
+    apply_law<Real, Sliding, Rolling>(constants, tile);
+    scatter<Real, spins>(pairs, start, tile, loads);
+    if (virial) add_virial(pairs, start, tile, virial);
+  }
+}
+
+template <typename Real>
+void contacts(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
+              const Body<Real>* bodies, Load<Real>* loads, double (*virial)[2]) {
+  switch (variant) {
+    case LawVariant::frictionless: return all_pairs<Real, false, false>(constants, pairs, bodies, loads, virial);
+    case LawVariant::sliding: return all_pairs<Real, true, false>(constants, pairs, bodies, loads, virial);
+    case LawVariant::sliding_and_rolling: return all_pairs<Real, true, true>(constants, pairs, bodies, loads, virial);
+  }
+}
+
+template <typename Real>
+MotionExtremes motion(MotionPart part, double time_step, const MeanFlow& flow, const Box& box,
+                      const MovingGrains<Real>& grains) {
+  switch (part) {
+    case MotionPart::end: return move<Real, true, false>(time_step, flow, box, grains);
+    case MotionPart::begin: return move<Real, false, true>(time_step, flow, box, grains);
+    case MotionPart::end_and_begin: return move<Real, true, true>(time_step, flow, box, grains);
+  }
+  return {};
+}
+
+}  // namespace
+
+Passes<double> double_passes() { return {contacts<double>, motion<double>, slack<double>, moments<double>}; }
+Passes<float> float_passes() { return {contacts<float>, motion<float>, slack<float>, moments<float>}; }
+
+}  // namespace FLOWSLIDE_ISA
+}  // namespace flowslide::native

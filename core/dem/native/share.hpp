@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <cstddef>
+
+namespace flowslide::native {
+
+/// The grains `begin` up to `end` that one thread owns: it moves them and sums what acts on them.
+struct Share {
+  std::size_t begin = 0, end = 0;
+  bool owns(std::size_t grain) const { return grain >= begin && grain < end; }
+};
+
+}  // namespace flowslide::native

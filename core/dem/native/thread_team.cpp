@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dem/native/thread_team.hpp"
+
+namespace flowslide::native {
+namespace {
+
+/// Looks at a barrier before a thread gives its core away: some microseconds, less than a step takes.
+constexpr int looks_before_yield = 2000;
+/// Yields before a thread without a task sleeps: a task follows soon while a sample is sheared.
+constexpr int yields_before_sleep = 200;
+
+}  // namespace
+
+ThreadTeam::ThreadTeam(int size) : size_(size) {
+  for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { serve(number); });
+}
+
+ThreadTeam::~ThreadTeam() {
+  task_ = nullptr;
+  call_.fetch_add(1, std::memory_order_release);
+  call_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void ThreadTeam::serve(int number) {
+  for (unsigned call = 0;; ++call) {
+    for (int yields = 0; call_.load(std::memory_order_acquire) == call; ++yields)
+      if (yields < yields_before_sleep)
+        std::this_thread::yield();
+      else
+        call_.wait(call, std::memory_order_acquire);
+    if (!task_) return;
+    (*task_)(number);
+    barrier();
+  }
+}
+
+void ThreadTeam::run(const std::function<void(int)>& task) {
+  if (size_ > 1) {
+    task_ = &task;
+    call_.fetch_add(1, std::memory_order_release);
+    call_.notify_all();
+  }
+  task(0);
+  barrier();
+}
+
+void ThreadTeam::barrier() {
+  if (size_ == 1) return;
+  const unsigned phase = phase_.load(std::memory_order_acquire);
+  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+    arrived_.store(0, std::memory_order_relaxed);
+    phase_.fetch_add(1, std::memory_order_release);
+    return;
+  }
+  for (int looks = 0; phase_.load(std::memory_order_acquire) == phase; ++looks)
+    if (looks >= looks_before_yield) std::this_thread::yield();
+}
+
+}  // namespace flowslide::native

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dem/native/boundaries.hpp"
+#include "dem/native/pair_list.hpp"
+#include "dem/native/passes.hpp"
+#include "dem/stress_sums.hpp"
+
+namespace flowslide::native {
+
+/// The grains as all workers see them.
+template <typename Real>
+struct Grains {
+  std::vector<Role> role;
+  std::vector<Body<double>> bodies;  ///< each written by its owner alone; two more than grains: they pad pair lists
+  /// What is read of grains of other owners, written by turns, so that one barrier a step is enough. Empty for a single
+  /// worker in double, which reads `bodies`.
+  std::array<std::vector<Body<Real>>, 2> published;
+  std::vector<double> kick, twist;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
+  double time_step = 0.0;           ///< dt_L, s
+  std::vector<Moments> moments;     ///< of each block, at the end of the last run
+  LawConstants<Real> law{};
+  LawVariant variant = LawVariant::sliding_and_rolling;
+  double smallest_diameter = 0.0, largest_diameter = 0.0;  ///< m
+};
+
+/// One thread's part of a step: it moves the grains of its share and evaluates every contact that touches one of them,
+/// in the order of all pairs, so that the bits of a grain do not depend on who owns it. Contacts between two shares are
+/// evaluated by both workers; each keeps its own side.
+template <typename Real>
+class Worker {
+ public:
+  /// `first_allowance`: by how much a grain may stray at first before the list is built anew, m.
+  Worker(const Share& share, Grains<Real>& grains, const Boundaries& boundaries, double first_allowance,
+         const Passes<Real>& passes);
+
+  /// First half: half kicks and drift of the own grains; `turn` says which of the published arrays is written.
+  void begin(bool first, int turn);
+  /// Takes note of what all workers have done; after a barrier.
+  void meet(const std::vector<Worker>& all, int turn);
+  /// Second half: sums the loads of the own grains. The virial is kept if this is the last step of a run.
+  void evaluate(int turn, bool last);
+  /// After the last step of a run: the half kick that is left, and the moments.
+  void end(int turn);
+  /// Sums the moments of the own grains, block by block.
+  void measure(int turn);
+  /// Adds to `sums` what glued grains and planes do to the share's grains, and takes the moments of drag out of them.
+  void add_boundary_forces(StressSums& sums) const;
+  /// Adds the histories of the share's pairs that touch.
+  void add_histories(int turn, std::vector<ContactHistory>& contacts) const;
+
+  /// Builds the list anew.
+  void rebuild(int turn);
+  /// Shows the own grains to the others.
+  void publish(int turn);
+  /// Largest distance of the centres of two grains in a list, m.
+  static double longest_reach(const Grains<Real>& grains);
+  const Share& share() const { return share_; }
+  Boundaries& boundaries() { return boundaries_; }
+  const Boundaries& boundaries() const { return boundaries_; }
+  PairList<Real>& list() { return list_; }
+  std::vector<Load<Real>>& loads() { return loads_; }
+  const std::vector<Load<Real>>& loads() const { return loads_; }
+  /// Sums over pairs by their first grain, of which the share's are valid, N m; shape (grains + 2, 2).
+  std::vector<std::array<double, 2>>& virial() { return virial_; }
+
+ private:
+  struct Fold {
+    std::uint32_t grain;
+    int axis, periods;
+  };
+  /// What others must know of a move.
+  struct News {
+    double fluctuation_squared = 0.0;  ///< of the velocities, m^2/s^2
+    double slack = 0.0;                ///< least allowance that is left, m, if it was measured
+    std::vector<Fold> folds;
+  };
+  std::vector<Body<Real>>& seen(int turn);
+  const std::vector<Body<Real>>& seen(int turn) const { return const_cast<Worker*>(this)->seen(turn); }
+  MovingGrains<Real> moving(const Share& part, int turn);
+  void fold(std::vector<Fold>& folds);
+  void allow(const std::vector<Body<Real>>& bodies);
+  void measure_block(const Share& block, int turn);
+
+  Share share_;
+  Grains<Real>& grains_;
+  Boundaries boundaries_;
+  Passes<Real> passes_;
+  PairList<Real> list_;
+  std::vector<Load<Real>> loads_;  ///< those of others' grains are partial sums that nobody reads
+  std::vector<std::array<double, 2>> virial_;
+  std::array<News, 2> news_;
+  std::vector<Start> start_;       ///< when the list was built, folded as the grains
+  std::vector<double> allowance_;  ///< of each grain, m
+  // Every worker keeps these, with the same values.
+  MeanDrift drift_;            ///< since the list was built
+  bool compressed_ = false;    ///< since then, from the sides: ways are not measured
+  bool measures_ = false;      ///< whether the slack is measured at the next step
+  double slack_ = 0.0;         ///< lower bound of the least allowance that is left, m
+  double allowance_at_rest_;   ///< m, of a grain at rest in the next list
+  std::int64_t list_age_ = 0;  ///< steps since the list was built
+};
+
+}  // namespace flowslide::native
