@@ -35,7 +35,7 @@ enum class MotionPart { end, begin, end_and_begin };
 
 /// What the motion pass has seen after a beginning.
 struct MotionExtremes {
-  double fluctuation_squared = 0.0;  ///< largest |v - u|^2, m^2/s^2
+  double fluctuation_squared = 0.0;  ///< m^2/s^2: no |v - u|^2 is larger; the sum of the largest of each component
   bool outside = false;              ///< whether a centre lies below `lower` or not below `upper` of the box
 };
 

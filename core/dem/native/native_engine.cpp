@@ -103,12 +103,10 @@ void NativeEngine<Real>::hire(const Cell& cell) {
   if (threads == 0) threads = n < grains_for_threads ? 1 : static_cast<int>(std::thread::hardware_concurrency());
   threads = std::clamp(threads, 1, std::max(1, static_cast<int>(grains_.moments.size())));
   if (!team_ || team_->size() != threads) team_ = std::make_unique<native::ThreadTeam>(threads);
-  const bool alone = threads == 1 && std::is_same_v<Real, double>;
-  for (auto& published : grains_.published) {
-    published.clear();
-    for (std::size_t i = 0; i < n + 2 && !alone; ++i)
-      published.push_back(native::in_precision<Real>(grains_.bodies[i]));
-  }
+  for (auto& published : grains_.published) published.clear();
+  if (threads > 1 || !std::is_same_v<Real, double>)
+    for (const Body<double>& body : grains_.bodies) grains_.published[0].push_back(native::in_precision<Real>(body));
+  if (threads > 1) grains_.published[1] = grains_.published[0];
   const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set, options_.arithmetic);
   workers_.clear();
   for (const Share& share : shares(threads))

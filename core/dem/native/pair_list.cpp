@@ -10,10 +10,10 @@
 namespace flowslide::native {
 
 template <typename Real>
-void PairList<Real>::Columns::reserve(std::size_t n) {
-  first.reserve(n);
-  second.reserve(n);
-  image.reserve(n);
+void PairList<Real>::Columns::clear() {
+  first.clear();
+  second.clear();
+  image.clear();
 }
 
 template <typename Real>
@@ -27,10 +27,9 @@ template <typename Real>
 void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
                            const std::vector<double>& allowance) {
   set_shifts(cell);
-  Columns old;
-  std::swap(old, columns_);
+  std::swap(old_, columns_);
+  columns_.clear();
   const std::size_t old_pairs = pairs_;
-  columns_.reserve(old.first.size() + tile_size);
   for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(share_))
     if (role[pair.first] == Role::mobile || role[pair.first] != role[pair.second])
       columns_.append(pair.first, pair.second, pair.image);
@@ -38,19 +37,19 @@ void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::ve
   const auto nobody = static_cast<std::uint32_t>(role.size());
   while (columns_.first.size() % tile_size != 0) columns_.append(nobody, nobody + 1, image_of(0, 0, 0));
   for (auto& column : columns_.history) column.assign(columns_.first.size(), Real(0));
-  keep_histories(old, old_pairs);
+  keep_histories(old_pairs);
   fill_constants(bodies);
 }
 
 template <typename Real>
-void PairList<Real>::keep_histories(const Columns& old, std::size_t old_pairs) {
+void PairList<Real>::keep_histories(std::size_t old_pairs) {
   std::size_t o = 0;
   for (std::size_t p = 0; p < pairs_; ++p) {
     const auto key = std::tie(columns_.first[p], columns_.second[p]);
-    while (o < old_pairs && std::tie(old.first[o], old.second[o]) < key) ++o;
+    while (o < old_pairs && std::tie(old_.first[o], old_.second[o]) < key) ++o;
     if (o == old_pairs) return;
-    if (std::tie(old.first[o], old.second[o]) != key) continue;
-    for (std::size_t h = 0; h < 6; ++h) columns_.history[h][p] = old.history[h][o];
+    if (std::tie(old_.first[o], old_.second[o]) != key) continue;
+    for (std::size_t h = 0; h < 6; ++h) columns_.history[h][p] = old_.history[h][o];
   }
 }
 

@@ -40,16 +40,16 @@ class PairList {
     std::vector<std::uint32_t> first, second;
     std::vector<std::uint8_t> image;
     std::array<std::vector<Real>, 6> history;  ///< spring, rolling torque
-    void reserve(std::size_t n);
+    void clear();
     void append(std::uint32_t i, std::uint32_t j, std::uint8_t shift);
   };
-  void keep_histories(const Columns& old, std::size_t old_pairs);
+  void keep_histories(std::size_t old_pairs);
   void fill_constants(const Bodies& bodies);
   void set_shifts(const Cell& cell);
 
   Share share_;
   std::size_t pairs_ = 0;
-  Columns columns_;
+  Columns columns_, old_;  ///< of this list and the one before, whose memory is used again
   std::vector<double> first_radius_, second_radius_;
   std::vector<Real> effective_radius_, root_effective_mass_, root_rolling_inertia_;
   alignas(32) double shift_[27][4] = {};

@@ -49,7 +49,7 @@ template <typename Real>
 std::vector<Body<Real>>& Worker<Real>::seen(int turn) {
   if constexpr (std::is_same_v<Real, double>)
     if (grains_.published[0].empty()) return grains_.bodies;
-  return grains_.published[static_cast<std::size_t>(turn)];
+  return grains_.published[grains_.published[1].empty() ? 0 : static_cast<std::size_t>(turn)];
 }
 
 template <typename Real>

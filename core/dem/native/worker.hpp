@@ -16,8 +16,8 @@ template <typename Real>
 struct Grains {
   std::vector<Role> role;
   std::vector<Body<double>> bodies;  ///< each written by its owner alone; two more than grains: they pad pair lists
-  /// What is read of grains of other owners, written by turns, so that one barrier a step is enough. Empty for a single
-  /// worker in double, which reads `bodies`.
+  /// What is read of grains of other owners, written by turns, so that one barrier a step is enough. A single worker
+  /// needs no turns: the second is empty then, and in double the first too, as `bodies` can be read.
   std::array<std::vector<Body<Real>>, 2> published;
   std::vector<double> kick, twist;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
   double time_step = 0.0;           ///< dt_L, s

@@ -12,14 +12,21 @@ inline namespace FLOWSLIDE_ISA {
 /// Fills a tile with separations, relative velocities and spins of the pairs from `start` on.
 template <typename Real, bool Spins>
 inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
-  const std::uint32_t *first = pairs.first + start, *second = pairs.second + start;
-  const std::uint8_t* image = pairs.image + start;
+  // Addresses once for all that is read there.
+  const Body<Real>*first[tile_size], *second[tile_size];
+  const double* shift_of[tile_size];
+  for (int k = 0; k < tile_size; ++k) {
+    first[k] = bodies + pairs.first[start + k];
+    second[k] = bodies + pairs.second[start + k];
+    shift_of[k] = pairs.image_shift[pairs.image[start + k]];
+  }
   for (int k = 0; k < Tile<Real>::size; k += lanes_of_bands<double>) {
     Band<double> separation[4];
     for (int m = 0; m < 4; ++m) {
-      const auto a = band_of<double>(m, [&](int l) { return row_at(bodies[first[k + l]].position); });
-      const auto b = band_of<double>(m, [&](int l) { return row_at(bodies[second[k + l]].position); });
-      const auto shift = band_of<double>(m, [&](int l) { return row_at(pairs.image_shift[image[k + l]]); });
+      const int lane = k + m;
+      const auto a = band_of<double>([&](int r) { return first[lane + 4 * r]->position; });
+      const auto b = band_of<double>([&](int r) { return second[lane + 4 * r]->position; });
+      const auto shift = band_of<double>([&](int r) { return shift_of[lane + 4 * r]; });
       separation[m] = a - (b + shift);
     }
     put_columns(separation, &t.separation[0][k], &t.separation[1][k], &t.separation[2][k]);
@@ -27,12 +34,14 @@ inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Rea
   for (int k = 0; k < Tile<Real>::size; k += lanes_of_bands<Real>) {
     Band<Real> velocity[4], first_spin[4], second_spin[4];
     for (int m = 0; m < 4; ++m) {
-      const auto a = band_of<Real>(m, [&](int l) { return row_at(bodies[first[k + l]].velocity); });
-      const auto b = band_of<Real>(m, [&](int l) { return row_at(bodies[second[k + l]].velocity); });
-      velocity[m] = a - b;
+      const int lane = k + m;
+      const auto a = [&](int r) -> const Body<Real>& { return *first[lane + 4 * r]; };
+      const auto b = [&](int r) -> const Body<Real>& { return *second[lane + 4 * r]; };
+      velocity[m] = band_of<Real>([&](int r) { return a(r).velocity; }) -
+                    band_of<Real>([&](int r) { return b(r).velocity; });
       if constexpr (Spins) {
-        first_spin[m] = band_of<Real>(m, [&](int l) { return row_at(bodies[first[k + l]].spin); });
-        second_spin[m] = band_of<Real>(m, [&](int l) { return row_at(bodies[second[k + l]].spin); });
+        first_spin[m] = band_of<Real>([&](int r) { return a(r).spin; });
+        second_spin[m] = band_of<Real>([&](int r) { return b(r).spin; });
       }
     }
     put_columns(velocity, &t.velocity[0][k], &t.velocity[1][k], &t.velocity[2][k]);
@@ -48,8 +57,9 @@ inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Rea
 template <typename Real>
 inline void measure(double squared, double touching, Real& inverse_distance, Real& overlap) {
   if constexpr (std::is_same_v<Real, double>) {
-    inverse_distance = inverse_root(squared);
-    const double depth = touching - std::sqrt(squared);  // rounded once: a gap is all that is left of it
+    const double distance = std::sqrt(squared);
+    inverse_distance = 1.0 / distance;
+    const double depth = touching - distance;
     overlap = depth > 0.0 ? depth : 0.0;
   } else {
     const float difference = static_cast<float>(touching * touching - squared);

@@ -11,7 +11,9 @@ inline namespace FLOWSLIDE_ISA {
 
 using Mask = decltype(DoubleRow{} < DoubleRow{});
 inline double sum_of_three(DoubleRow row) { return row[0] + row[1] + row[2]; }
-inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline DoubleRow smaller(DoubleRow a, DoubleRow b) { return a < b ? a : b; }
+inline DoubleRow larger(DoubleRow a, DoubleRow b) { return a > b ? a : b; }
+inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2]) != 0; }
 
 /// The motion pass with its part known at compile time. The last number of a row of loads is 0, so that mass and
 /// inertia, which stand behind velocity and spin, stay what they are.
@@ -20,8 +22,7 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
   const DoubleRow drift{time_step, time_step, time_step, 0.0};
   const DoubleRow base = row_at(flow.base), slope = row_at(flow.slope);
   const DoubleRow lower = row_at(box.lower), upper = row_at(box.upper);
-  Mask outside{};
-  double fastest = 0.0;
+  DoubleRow lowest = lower, highest = lower, fastest{};
   for (std::size_t i = g.begin; i < g.end; ++i) {
     Body<double>& body = g.bodies[i];
     Load<Real>& load = g.loads[i];
@@ -36,10 +37,10 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
     put_row(body.spin, spin);
     if constexpr (Begin) {
       const DoubleRow fluctuation = velocity - (base + slope * (body.position[2] - flow.origin));
-      const double squared = sum_of_three(fluctuation * fluctuation);
-      fastest = squared > fastest ? squared : fastest;
+      fastest = larger(fluctuation * fluctuation, fastest);
       const DoubleRow position = row_at(body.position) + drift * velocity;
-      outside |= (position < lower) | (position >= upper);
+      lowest = smaller(position, lowest);
+      highest = larger(position, highest);
       put_row(body.position, position);
       put_row(load.force, Row<Real>{});
       put_row(load.torque, Row<Real>{});
@@ -50,7 +51,7 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
       put_row(published.spin, rounded<Real>(spin));
     }
   }
-  return {fastest, any(outside)};
+  return {sum_of_three(fastest), any((lowest < lower) | (highest >= upper))};
 }
 
 /// See SlackPass.

@@ -3,6 +3,10 @@
 // Rows of x, y, z, w of several grains to columns of x, y and z, and back. A Band holds as many rows as the widest
 // register does, four lanes apart, so that a transposition of 4 x 4 within each part of it serves all of them.
 #pragma once
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 #include "dem/native/isa/row.hpp"
 
 namespace flowslide::native {
@@ -32,17 +36,21 @@ inline constexpr int rows_in_band = sizeof(Band<Real>) / sizeof(Row<Real>);
 template <typename Real>
 inline constexpr int lanes_of_bands = 4 * rows_in_band<Real>;
 
-/// The rows that `row(lane)` gives for lanes m, m + 4, ...
-template <typename Real, typename RowOfLane>
-inline Band<Real> band_of(int m, RowOfLane row) {
-  if constexpr (rows_in_band<Real> == 1) return row(m);
+/// The rows that start at `numbers(0)`, `numbers(1)`, ... in one band.
+template <typename Real, typename Numbers>
+inline Band<Real> band_of(Numbers numbers) {
 #ifdef __AVX512F__
-  else if constexpr (rows_in_band<Real> == 2)
-    return __builtin_shufflevector(row(m), row(m + 4), 0, 1, 2, 3, 4, 5, 6, 7);
-  else
-    return __builtin_shufflevector(__builtin_shufflevector(row(m), row(m + 4), 0, 1, 2, 3, 4, 5, 6, 7),
-                                   __builtin_shufflevector(row(m + 8), row(m + 12), 0, 1, 2, 3, 4, 5, 6, 7), 0, 1, 2,
-                                   3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  // Inserted from memory, which leaves the one port that can shuffle to the transpositions.
+  if constexpr (std::is_same_v<Real, double>)
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(numbers(0))), _mm256_load_pd(numbers(1)), 1);
+  else {
+    __m512 band = _mm512_castps128_ps512(_mm_load_ps(numbers(0)));
+    band = _mm512_insertf32x4(band, _mm_load_ps(numbers(1)), 1);
+    band = _mm512_insertf32x4(band, _mm_load_ps(numbers(2)), 2);
+    return _mm512_insertf32x4(band, _mm_load_ps(numbers(3)), 3);
+  }
+#else
+  return row_at(numbers(0));
 #endif
 }
 
