@@ -62,6 +62,7 @@ struct Raw {
   std::string engine;
   std::string configuration_file;
   std::string output;
+  bool allow_unstable = false;
 };
 
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
@@ -93,6 +94,9 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
   app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
       ->type_name("N")
       ->check(CLI::Validator(integer_from(1), ""))
+      ->group(group);
+  app.add_flag("--allow-unstable", raw.allow_unstable,
+               "Run slides with a global time step beyond the limit of stability, too: the key `coupling.allow_unstable`")
       ->group(group);
   app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
       ->type_name("NAME")
@@ -159,6 +163,7 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   };
   number("seed", raw.seed, command_line.seed);
   number("replicates", raw.replicates, command_line.replicates);
+  if (raw.allow_unstable) command_line.overrides.push_back({"coupling.allow_unstable", "true", "--allow-unstable"});
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;

@@ -24,7 +24,7 @@ struct CaseDescription {
 /// What the user asked for.
 struct CommandLine {
   std::optional<std::filesystem::path> configuration_file;  ///< --config
-  std::vector<Override> overrides;                          ///< --set, --engine, --seed, --replicates as keys
+  std::vector<Override> overrides;                          ///< --set, --engine, --seed, --replicates, --allow-unstable as keys
   std::string scale = "quick";                              ///< --scale
   std::optional<std::string> engine;                        ///< --engine; without it the key `engine` decides
   std::optional<std::int64_t> seed;                         ///< --seed; without it the key `seed` decides
@@ -42,8 +42,8 @@ struct CommandLine {
 /// each other (with what is allowed), and FinishedEarly for --help and --version.
 CommandLine parse(int argc, const char* const* argv, const CaseDescription& description);
 
-/// The layers of a run: the case file, its scale, --config, then --set and the options that stand for the top-level
-/// keys `engine`, `seed` and `replicates`.
+/// The layers of a run: the case file, its scale, --config, then --set and the options that stand for the keys
+/// `engine`, `seed`, `replicates` and `coupling.allow_unstable`.
 Layers layers_of(const CommandLine& command_line, const std::filesystem::path& case_file);
 
 /// The points to run, in the order of `available`: all, or those asked for with --point. Throws ConfigurationError for

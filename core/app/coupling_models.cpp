@@ -6,47 +6,14 @@
 #include <cmath>
 
 #include "app/loading_table.hpp"
+#include "app/tables.hpp"
 
 namespace flowslide {
 namespace {
 
 constexpr double most_steps_allowed = 1e12;  // a double counts them one by one
 
-/// The keys of one table.
-class Table {
- public:
-  Table(const Configuration& configuration, std::string name)
-      : configuration_(configuration), prefix_(std::move(name) + ".") {}
-
-  bool has(const char* key) const { return configuration_.has(prefix_ + key); }
-  std::string choice(const char* key, const std::vector<std::string>& allowed) const {
-    return configuration_.text(prefix_ + key, allowed);
-  }
-  std::string text(const char* key) const { return configuration_.text(prefix_ + key); }
-  double number(const char* key, const Range& range) const { return configuration_.number(prefix_ + key, range); }
-  double quantity(const char* key, const Dimension& dimension, const Range& range = Range::any()) const {
-    return configuration_.quantity(prefix_ + key, dimension, range);
-  }
-  double positive(const char* key, const Dimension& dimension) const {
-    return quantity(key, dimension, Range::positive());
-  }
-  std::int64_t integer(const char* key, const Range& range) const {
-    return configuration_.integer(prefix_ + key, range);
-  }
-  bool flag(const char* key) const { return configuration_.flag(prefix_ + key); }
-  void accept(std::initializer_list<const char*> keys) const {
-    for (const char* key : keys) configuration_.accept(prefix_ + key);
-  }
-  [[noreturn]] void refuse(const char* key, const std::string& problem, const std::string& mend) const {
-    configuration_.refuse(prefix_ + key, problem, mend);
-  }
-
- private:
-  const Configuration& configuration_;
-  std::string prefix_;
-};
-
-ConstantRate read_constant_rate(const Table& table) {
+ConstantRate read_constant_rate(const Tables& table) {
   ConstantRate loading{table.quantity("rate", dimension::stress_rate)};
   if (table.has("duration")) loading.duration = table.positive("duration", dimension::time);
   if (!table.has("final_change")) return loading;
@@ -60,18 +27,18 @@ ConstantRate read_constant_rate(const Table& table) {
 }
 
 /// Refuses a dt_G beyond the limit of stability `limit` (s) of `what`.
-void check_stability(const Table& table, double time_step, double limit, const std::string& what) {
+void check_stability(const Tables& table, double time_step, double limit, const std::string& what) {
   if (time_step <= limit) return;
   table.refuse("time_step", fmt::format("is unstable: {} allows at most {:.3g} s", what, limit),
-               "choose a smaller step, or set allow_unstable = true to see what happens");
+               "choose a smaller step, or give --allow-unstable to see what happens");
 }
 
 }  // namespace
 
-StressHistory read_loading(const Configuration& configuration, const std::string& table,
+StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
                            const std::filesystem::path& folder) {
-  const Table loading(configuration, table);
-  const std::string history = loading.choice("history", {"constant", "rate", "pulse", "table"});
+  const Tables loading(configuration, tables);
+  const std::string history = loading.text("history", {"constant", "rate", "pulse", "table"});
   loading.accept({"rate", "duration", "final_change", "amplitude", "file"});
   if (history == "rate") return read_constant_rate(loading);
   if (history == "pulse")
@@ -80,10 +47,10 @@ StressHistory read_loading(const Configuration& configuration, const std::string
   return NoChange{};
 }
 
-RateRule read_rate_rule(const Configuration& configuration, const std::string& table, const GrainScale& grains) {
-  const Table coupling(configuration, table);
+RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains) {
+  const Tables coupling(configuration, tables);
   const std::string rule =
-      coupling.choice("rate", {"global", "constant_inertial_number", "at_least_quasi_static"});
+      coupling.text("rate", {"global", "constant_inertial_number", "at_least_quasi_static"});
   coupling.accept({"inertial_number", "smallest_rate"});
   if (rule == "global") return GlobalRate{};
   const double number = coupling.number("inertial_number", Range::positive());
@@ -92,9 +59,9 @@ RateRule read_rate_rule(const Configuration& configuration, const std::string& t
                                 grains};
 }
 
-StrainPassing read_strain_passing(const Configuration& configuration, const std::string& table) {
-  const Table coupling(configuration, table);
-  const std::string rule = coupling.choice(
+StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables) {
+  const Tables coupling(configuration, tables);
+  const std::string rule = coupling.text(
       "passing", {"carry_remainder", "accumulate_and_reset", "whole_increment", "variable_time_step"});
   coupling.accept({"n_accum"});
   StrainPassing passing;
@@ -110,17 +77,17 @@ StrainPassing read_strain_passing(const Configuration& configuration, const std:
   return passing;
 }
 
-SlideSettings read_coupling(const Configuration& configuration, const std::string& table, const SlopeProperties& slope,
+SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains) {
-  const Table coupling(configuration, table);
+  const Tables coupling(configuration, tables);
   SlideSettings settings;
   settings.slope = slope;
   settings.time_step = coupling.positive("time_step", dimension::time);
-  settings.rate = read_rate_rule(configuration, table, grains);
-  settings.passing = read_strain_passing(configuration, table);
-  const bool euler = coupling.choice("consolidation", {"exponential", "euler"}) == "euler";
+  settings.rate = read_rate_rule(configuration, tables, grains);
+  settings.passing = read_strain_passing(configuration, tables);
+  const bool euler = coupling.text("consolidation", {"exponential", "euler"}) == "euler";
   settings.consolidation = euler ? ConsolidationScheme::euler : ConsolidationScheme::exponential;
-  const std::string residual = coupling.choice("residual", {"fades", "left_out", "stays"});
+  const std::string residual = coupling.text("residual", {"fades", "left_out", "stays"});
   settings.residual = residual == "fades"      ? ResidualTreatment::fades
                       : residual == "left_out" ? ResidualTreatment::left_out
                                                : ResidualTreatment::stays;
@@ -136,8 +103,8 @@ SlideSettings read_coupling(const Configuration& configuration, const std::strin
   return settings;
 }
 
-StopConditions read_stop(const Configuration& configuration, const std::string& table) {
-  const Table stop(configuration, table);
+StopConditions read_stop(const Configuration& configuration, const TableNames& tables) {
+  const Tables stop(configuration, tables);
   StopConditions conditions;
   conditions.end_time = stop.positive("end_time", dimension::time);
   if (stop.has("end_shear_strain"))
@@ -147,8 +114,8 @@ StopConditions read_stop(const Configuration& configuration, const std::string& 
   return conditions;
 }
 
-RowSpacing read_row_spacing(const Configuration& configuration, const std::string& table) {
-  const Table rows(configuration, table);
+RowSpacing read_row_spacing(const Configuration& configuration, const TableNames& tables) {
+  const Tables rows(configuration, tables);
   RowSpacing spacing;
   spacing.most_rows = rows.integer("most_rows", Range::between(10, 1e6));
   if (rows.has("row_interval")) spacing.interval = rows.positive("row_interval", dimension::time);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of a configuration that all slides share, as the structures that they stand for. Each reader throws
-// ConfigurationError; `table` is where its keys stand, such as "loading" or "point.pulse.loading". Keys that a choice
-// does not need are accepted.
+// ConfigurationError; `tables` are where its keys stand, such as {"point.pulse.loading", "loading"}: a key is read from
+// the first of them that has it. Keys that a choice does not need are accepted.
 #pragma once
 #include <filesystem>
 #include <string>
 
 #include "app/configuration.hpp"
 #include "app/slide_run.hpp"
+#include "app/tables.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
 
@@ -15,28 +16,28 @@ namespace flowslide {
 
 /// history = "constant", "rate" (rate; final_change or duration, if it ends), "pulse" (amplitude, duration) or "table"
 /// (file, from `folder`).
-StressHistory read_loading(const Configuration& configuration, const std::string& table,
+StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
                            const std::filesystem::path& folder);
 
 /// rate = "global", "constant_inertial_number" (inertial_number, smallest_rate) or "at_least_quasi_static"
 /// (inertial_number).
-RateRule read_rate_rule(const Configuration& configuration, const std::string& table, const GrainScale& grains);
+RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains);
 
 /// passing = "whole_increment" (eq. 15), "accumulate_and_reset" or "carry_remainder" (eq. 18; n_accum) or
 /// "variable_time_step" (eq. 17); local_time_step, most_steps. Whether dt_L suits the grains, check_time_step tells.
-StrainPassing read_strain_passing(const Configuration& configuration, const std::string& table);
+StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables);
 
 /// The two above, time_step, consolidation = "euler" or "exponential", residual = "fades", "left_out" or "stays",
 /// shear_modulus and oedometric_modulus (upper bounds of the sample's). A dt_G beyond the limit of stability that
 /// follows from them is refused unless allow_unstable. The loading is left to read_loading.
-SlideSettings read_coupling(const Configuration& configuration, const std::string& table, const SlopeProperties& slope,
+SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains);
 
 /// end_time; end_shear_strain and sliding_velocity if there.
-StopConditions read_stop(const Configuration& configuration, const std::string& table);
+StopConditions read_stop(const Configuration& configuration, const TableNames& tables);
 
 /// most_rows; row_interval (s) and row_strain if there, at least one of them.
-RowSpacing read_row_spacing(const Configuration& configuration, const std::string& table);
+RowSpacing read_row_spacing(const Configuration& configuration, const TableNames& tables);
 
 /// Refuses slope.angle if tau_0 reaches what a sample of this friction bears under sigma_0.
 void check_strength(const Configuration& configuration, const SlopeProperties& slope, double friction);

@@ -64,6 +64,15 @@ PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe,
 
 }  // namespace
 
+std::vector<Metric> metrics_of(const FoundSample& found) {
+  return {{"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
+          {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1",
+           "void ratio a mean diameter away from the planes"},
+          {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
+          {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
+          {"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"}};
+}
+
 std::filesystem::path sample_cache_folder() {
   const char* folder = std::getenv("FLOWSLIDE_CACHE");
   return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path("cache");

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "app/models.hpp"
 #include "app/progress.hpp"
 #include "dem/engine.hpp"
+#include "record/series.hpp"
 #include "sample/preparation.hpp"
 
 namespace flowslide {
@@ -15,6 +17,9 @@ struct FoundSample {
   SampleRecipe recipe;    ///< of the last trial, the one that fits
   int trials = 0;
 };
+
+/// Void ratios and recipe of a sample, as numbers of a result.
+std::vector<Metric> metrics_of(const FoundSample& found);
 
 /// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder.
 std::filesystem::path sample_cache_folder();

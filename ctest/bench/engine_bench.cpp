@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// engine_bench [--grains N] [--engine NAME] [Google Benchmark's options]
-// Time of a step and of an exchange (steering the boundaries, reading the stress, counting grains) of a prepared sample
-// that is sheared slowly. Samples come from the cache and are prepared if they are not there.
+// engine_bench [--engines A,B] [--grains N,N] [--states A,B] [--threads N] [--rounds N] [Google Benchmark's options]
+// Times steps of prepared samples at the paper's dt_L, with an exchange (steering the boundaries, reading the stress,
+// counting grains) every ten of them. Repetitions of all engines alternate, so that they share what the machine does.
+// Samples come from the cache and are prepared if they are not there. --benchmark_out=FILE writes JSON.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
-#include <iostream>
+#include <memory>
+#include <optional>
 
 #include "app/error.hpp"
-#include "app/sample_cache.hpp"
+#include "bench_states.hpp"
+#include "bench_table.hpp"
 #include "dem/liggghts/instance.hpp"
 #include "dem/make_engine.hpp"
 #include "sample/dem_sample.hpp"
@@ -21,110 +25,112 @@ namespace {
 
 using namespace flowslide;
 
-constexpr int steps_per_round = 10;
-constexpr double shear_rate = 0.055;  // 1/s: I = 1e-4 at 28 kPa, so that the sample stays dense while it is timed
+constexpr double time_step = 5e-7;  // s, the paper's
+constexpr int steps_per_exchange = 10, exchanges_per_round = 10, warm_rounds = 5;
 
-/// A lattice of about that many grains with the proportions of the paper's.
-std::array<int, 3> lattice_of(int grains) {
-  const int side = std::max(3, static_cast<int>(std::lround(std::cbrt(grains / 1.1))));
-  return {side, side, std::max(3, static_cast<int>(std::lround(static_cast<double>(grains) / (side * side))))};
-}
-
+/// One engine with one state, kept between repetitions.
 class Bench {
  public:
-  Bench(const std::string& engine, int grains) : engine_(make_engine(engine, log())) {
-    SampleSpecification specification{"bench", {}, {0.78, 1.0, 1}};
-    specification.recipe.packing.counts = lattice_of(grains);
-    specification.recipe.stress_tolerance = 5e-3;
-    const FoundSample found =
-        find_sample(*engine_, specification, sample_cache_folder(), ProgressStyle::of_stderr(mpi_rank()));
-    grains_ = found.sample.assembly.size();
-    contacts_ = found.sample.assembly.contacts.size();
-    assembly_ = found.sample.assembly;
-  }
+  Bench(const BenchState& state, const std::string& engine, int threads)
+      : state_(state), engine_name_(engine), threads_(threads) {}
 
-  /// Every benchmark starts from the same state.
-  void restart() {
-    sample_.emplace(*engine_, assembly_, EngineSettings{Material{}, 5e-6, 0.0});
-    sample_->start_linear_velocity_field(shear_rate);
-    sample_->strain({{shear_rate, 0.0}, 10 * steps_per_round, 5e-6});
-  }
-
-  void steps(benchmark::State& state) {
-    restart();
-    for (auto _ : state) engine_->run(steps_per_round);
-    report(state);
-  }
-  void steps_and_exchange(benchmark::State& state) {
-    restart();
-    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({{shear_rate, 0.0}, steps_per_round, 5e-6}));
-    report(state);
-  }
-  void exchange(benchmark::State& state) {
-    restart();
-    for (auto _ : state) benchmark::DoNotOptimize(sample_->strain({{shear_rate, 0.0}, 0, 5e-6}));
-    report(state, 0);
+  void run(benchmark::State& timed) {
+    if (!sample_) start();
+    for (auto _ : timed)
+      for (int e = 0; e < exchanges_per_round; ++e) benchmark::DoNotOptimize(strain(steps_per_exchange));
+    const double steps = static_cast<double>(timed.iterations()) * steps_per_exchange * exchanges_per_round;
+    timed.counters["steps/s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
+    timed.counters["grains"] = static_cast<double>(state_.assembly.size());
+    timed.counters["contacts"] = static_cast<double>(contacts_);
+    timed.counters["workers"] = engine_name_ == "liggghts" ? mpi_ranks() : threads_;
+    timed.counters["exchange share"] = exchange_share();
   }
 
  private:
-  static std::string log() { return (std::filesystem::temp_directory_path() / "flowslide_bench.log").string(); }
-  void report(benchmark::State& state, int steps = steps_per_round) {
-    const double done = static_cast<double>(state.iterations()) * steps;
-    if (steps > 0) state.counters["steps/s"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
-    state.counters["grains"] = static_cast<double>(grains_);
-    state.counters["contacts"] = static_cast<double>(contacts_);
-    state.counters["ranks"] = mpi_ranks();
+  using Clock = std::chrono::steady_clock;
+  CellStress strain(int steps) { return sample_->strain({{state_.shear_rate, 0.0}, steps, time_step}); }
+
+  void start() {
+    const auto log = std::filesystem::temp_directory_path() / "flowslide_bench.log";
+    engine_ = make_engine(engine_name_, log, threads_);
+    sample_.emplace(*engine_, state_.assembly, EngineSettings{Material{}, time_step, 0.0});
+    if (state_.name == "shear") sample_->start_linear_velocity_field(state_.shear_rate);
+    for (int round = 0; round < warm_rounds; ++round) strain(steps_per_exchange * exchanges_per_round);
+    contacts_ = sample_->assembly().contacts.size();
   }
 
-  std::unique_ptr<Engine> engine_;
-  Assembly assembly_;
-  std::optional<DemSample> sample_;
-  std::size_t grains_ = 0, contacts_ = 0;
-};
-
-/// Shows results on the first rank alone.
-class Silent : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>&) override {}
-};
-
-std::string option(int& argc, char** argv, const char* name, const char* otherwise) {
-  for (int i = 1; i + 1 < argc; ++i)
-    if (std::strcmp(argv[i], name) == 0) {
-      const std::string value = argv[i + 1];
-      std::copy(argv + i + 2, argv + argc, argv + i);
-      argc -= 2;
-      return value;
+  /// What exchanges add to the time: rounds with ten against rounds with one, by turns.
+  double exchange_share() {
+    double with = 1e300, without = 1e300;
+    for (int turn = 0; turn < 5; ++turn) {
+      const auto start = Clock::now();
+      for (int e = 0; e < exchanges_per_round; ++e) strain(steps_per_exchange);
+      const auto middle = Clock::now();
+      strain(steps_per_exchange * exchanges_per_round);
+      with = std::min(with, std::chrono::duration<double>(middle - start).count());
+      without = std::min(without, std::chrono::duration<double>(Clock::now() - middle).count());
     }
-  return otherwise;
+    return (with - without) / with * exchanges_per_round / (exchanges_per_round - 1);
+  }
+
+  const BenchState& state_;
+  std::string engine_name_;
+  int threads_;
+  std::unique_ptr<Engine> engine_;
+  std::optional<DemSample> sample_;
+  std::size_t contacts_ = 0;
+};
+
+struct Options {
+  std::vector<std::string> engines = engine_names(), states = bench_state_names();
+  std::vector<int> grains{1100, 8800};
+  int threads = 1, rounds = 0;
+};
+
+/// Our options; what is left goes to Google Benchmark. Repetitions alternate unless its options say otherwise.
+Options read_options(int argc, char** argv) {
+  Options options;
+  CLI::App app("Times of DEM engines side by side");
+  app.add_option("--engines", options.engines)->delimiter(',')->check(CLI::IsMember(engine_names()));
+  app.add_option("--grains", options.grains)->delimiter(',')->check(CLI::Range(27, 10'000'000));
+  app.add_option("--states", options.states)->delimiter(',')->check(CLI::IsMember(bench_state_names()));
+  app.add_option("--threads", options.threads, "of the native engines")->check(CLI::Range(1, 1024));
+  app.add_option("--rounds", options.rounds, "of 100 steps a repetition; 0: as suits the size")
+      ->check(CLI::Range(0, 1'000'000));
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    throw ConfigurationError(error.what());
+  }
+  std::vector<std::string> rest = app.remaining();
+  rest.insert(rest.begin(), {argv[0], "--benchmark_repetitions=7", "--benchmark_enable_random_interleaving=true"});
+  std::vector<char*> words;
+  for (std::string& word : rest) words.push_back(word.data());
+  int count = static_cast<int>(words.size());
+  benchmark::Initialize(&count, words.data());
+  if (count > 1) throw ConfigurationError(fmt::format("unknown option '{}'; see the first lines of the source", words[1]));
+  return options;
 }
 
 int run(int argc, char** argv) {
-  const std::string engine = option(argc, argv, "--engine", "liggghts");
-  const int grains = std::atoi(option(argc, argv, "--grains", "1100").c_str());
-  if (grains < 27) throw ConfigurationError(fmt::format("--grains is {}; allowed: at least 27", grains));
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return to_int(ExitCode::configuration);
-  Bench bench(engine, grains);
-  // All ranks step together, so each benchmark runs a fixed number of times.
-  const int rounds = std::max(20, 200'000 / grains);
-  const auto add = [&](const char* name, void (Bench::*what)(benchmark::State&)) {
-    benchmark::RegisterBenchmark(name, [&bench, what](benchmark::State& state) { (bench.*what)(state); })
-        ->Unit(benchmark::kMicrosecond)
-        ->Iterations(rounds)
-        ->Repetitions(5)
-        ->ReportAggregatesOnly(true)
-        ->UseRealTime();
-  };
-  add("10 steps", &Bench::steps);
-  add("10 steps, 1 exchange", &Bench::steps_and_exchange);
-  add("1 exchange", &Bench::exchange);
-  Silent silent;
-  if (mpi_rank() == 0)
-    benchmark::RunSpecifiedBenchmarks();
-  else
-    benchmark::RunSpecifiedBenchmarks(&silent);
+  const Options options = read_options(argc, argv);
+  std::vector<std::unique_ptr<BenchState>> states;
+  std::vector<std::unique_ptr<Bench>> benches;
+  for (const int grains : options.grains)
+    for (const std::string& name : options.states) {
+      const BenchState& state = *states.emplace_back(std::make_unique<BenchState>(bench_state(name, grains)));
+      for (const std::string& engine : options.engines) {
+        Bench* bench = benches.emplace_back(std::make_unique<Bench>(state, engine, options.threads)).get();
+        // All ranks step together, so each runs a fixed number of times: some 0.2 s.
+        const int rounds = std::max(1, (engine == "liggghts" ? 20'000 : 100'000) / static_cast<int>(state.assembly.size()));
+        benchmark::RegisterBenchmark((name + "/" + engine).c_str(), [bench](benchmark::State& s) { bench->run(s); })
+            ->Iterations(options.rounds > 0 ? options.rounds : rounds)
+            ->UseRealTime();
+      }
+    }
+  BenchTable table(mpi_rank() != 0);
+  benchmark::RunSpecifiedBenchmarks(&table);
   return to_int(ExitCode::ok);
 }
 

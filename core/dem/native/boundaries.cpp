@@ -61,7 +61,7 @@ void Boundaries::find_near(const std::vector<Body<double>>& bodies, const std::v
   }
 }
 
-double Boundaries::push_of(const Near& near, const Body<double>& body, double velocity) const {
+double Boundaries::push_of(const Near& near, const Body<double>& body) const {
   const int axis = near.axis;
   const double side = near.upper ? -1.0 : 1.0;
   const double plane = near.upper ? cell_.upper[axis] : cell_.lower[axis];
@@ -71,16 +71,15 @@ double Boundaries::push_of(const Near& near, const Body<double>& body, double ve
   const double vertical = near.upper ? motion_.top_velocity.z() : motion_.bottom_velocity.z();
   const double plane_velocity = axis == 2 ? vertical : side * ends;
   return side * plane_normal_force(settings_.material, body.radius, body.mass, overlap,
-                                   side * (plane_velocity - velocity));
+                                   side * (plane_velocity - body.velocity[axis]));
 }
 
 template <typename Real>
 void Boundaries::push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
                       std::vector<Load<Real>>& loads) const {
   for (const Near& near : near_) {
-    const Body<double>& body = bodies[near.grain];
     Real& force = loads[near.grain].force[near.axis];
-    force = static_cast<Real>(force + push_of(near, body, body.velocity[near.axis]));
+    force = static_cast<Real>(force + push_of(near, bodies[near.grain]));
   }
   if (settings_.drag == 0.0) return;
   for (std::size_t i = share_.begin; i < share_.end; ++i)
@@ -92,6 +91,11 @@ template void Boundaries::push(const std::vector<Body<double>>&, const std::vect
                                std::vector<Load<double>>&) const;
 template void Boundaries::push(const std::vector<Body<double>>&, const std::vector<Role>&,
                                std::vector<Load<float>>&) const;
+
+void Boundaries::add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const {
+  for (const Near& near : near_)
+    if (near.upper) force[near.axis] += push_of(near, bodies[near.grain]);
+}
 
 double Boundaries::mean_flow_speed(double reach) const {
   const Vector3 lengths = cell_.lengths();

@@ -32,13 +32,8 @@ class Boundaries {
   template <typename Real>
   void push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
             std::vector<Load<Real>>& loads) const;
-  /// Adds the forces of the upper planes on the grains, each along its axis, N. `velocity(grain, axis)` is that which
-  /// `push` has seen.
-  template <typename Velocity>
-  void add_upper_plane(const std::vector<Body<double>>& bodies, Velocity velocity, Vector3& force) const {
-    for (const Near& near : near_)
-      if (near.upper) force[near.axis] += push_of(near, bodies[near.grain], velocity(near.grain, near.axis));
-  }
+  /// Adds the forces of the upper planes on the grains, each along its axis, N.
+  void add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const;
 
   const Cell& cell() const { return cell_; }
   const EngineSettings& settings() const { return settings_; }
@@ -60,7 +55,7 @@ class Boundaries {
     bool upper;
   };
   /// Force of a plane on a grain near it, along the axis, N.
-  double push_of(const Near& near, const Body<double>& body, double velocity) const;
+  double push_of(const Near& near, const Body<double>& body) const;
 
   Cell cell_;
   EngineSettings settings_;

@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/native/body.hpp"
+#include "dem/native/contact_pass.hpp"
 #include "dem/native/share.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
-
-/// Number of the periodic image of a grain that lies x, y, z periods away, each -1, 0 or 1.
-constexpr std::uint8_t image_of(int x, int y, int z) {
-  return static_cast<std::uint8_t>(((x + 1) * 3 + y + 1) * 3 + z + 1);
-}
 
 /// A pair of grains, and the image of the second that is near the first.
 struct NearPair {

@@ -10,6 +10,11 @@ namespace flowslide::native {
 /// Contacts that are worked on at once.
 inline constexpr int tile_size = 64;
 
+/// Number of the periodic image of a grain that lies x, y, z periods away, each -1, 0 or 1.
+constexpr std::uint8_t image_of(int x, int y, int z) {
+  return static_cast<std::uint8_t>(((x + 1) * 3 + y + 1) * 3 + z + 1);
+}
+
 /// Constants of the law that all pairs share, of one material.
 template <typename Real>
 struct LawConstants {
@@ -39,10 +44,15 @@ struct PairView {
 /// Which parts of the law a scene needs.
 enum class LawVariant { frictionless, sliding, sliding_and_rolling };
 
-/// Adds the contact forces of all pairs to `loads` and advances the histories. If `virial` is not null, adds to its row
-/// of each pair's first grain the pair's l_x f_x and l_y f_y (N m), l = x_1 - x_2 and f on the first.
+/// Grains of a block, over which sums for the stress are taken: sums of blocks make the same total for any number of
+/// threads.
+inline constexpr std::size_t block_size = 64;
+
+/// Adds the contact forces of all pairs to `loads` and advances the histories. If `across` is not null, adds to its row
+/// of the block of each pair's first grain s_x f_x and s_y f_y (N m), s the image shift of the second and f the force
+/// on the first: what the sum over grains of x f lacks to the sum over pairs of l f.
 template <typename Real>
 using ContactPass = void (*)(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
-                             const Body<Real>* bodies, Load<Real>* loads, double (*virial)[2]);
+                             const Body<Real>* bodies, Load<Real>* loads, double (*across)[2]);
 
 }  // namespace flowslide::native

@@ -27,7 +27,7 @@ struct MovingGrains {
   const double *kick, *twist;  ///< dt/2 m and dt/2 I_s of each grain, 0 for glued ones
   Body<double>* bodies;
   Body<Real>* published;  ///< what the contact pass reads; may be `bodies`
-  Load<Real>* loads;
+  Load<Real>* loads;      ///< cleared by a beginning only
 };
 
 /// Which half kicks the motion pass does: that of the end of a step, that of the beginning with the drift, or both.
@@ -72,14 +72,10 @@ struct alignas(32) Start {
 template <typename Real>
 using SlackPass = double (*)(const MeanDrift& drift, const Start* start, const MovingGrains<Real>& grains);
 
-/// Grains of a block, over which `Moments` are summed: sums of blocks make the same total for any number of threads.
-inline constexpr std::size_t block_size = 64;
-
-/// Sums that the stress of the cell is made of. Glued grains count in `inside` alone.
+/// Sums over grains that the stress of the cell is made of.
 struct Moments {
-  alignas(32) double height_times_force[4] = {};  ///< sum of (z - z of the origin) f, N m
+  alignas(32) double height_times_force[4] = {};  ///< sum over mobile grains of (z - z of the origin) f, N m
   alignas(32) double moment[4] = {};              ///< sums of (x - x of the origin) f_x and so on, N m
-  double virial[2] = {};                          ///< sums over pairs of l_x f_x and l_y f_y, N m
   std::size_t inside = 0;                         ///< grains within the box or on its surface
 
   void operator+=(const Moments& other) {
@@ -87,14 +83,14 @@ struct Moments {
       height_times_force[axis] += other.height_times_force[axis];
       moment[axis] += other.moment[axis];
     }
-    for (int axis = 0; axis < 2; ++axis) virial[axis] += other.virial[axis];
     inside += other.inside;
   }
 };
 
-/// Sums over the grains. `origin`, m, has four numbers; `virial`: sums over the pairs of each grain that is their first.
+/// Sums over the grains. `origin`, m, has four numbers; `weight_of_glued` says with which weight glued grains count in
+/// the moment along each axis.
 template <typename Real>
-using MomentPass = Moments (*)(const double* origin, const Box& box, const MovingGrains<Real>& grains,
-                               const double (*virial)[2]);
+using MomentPass = Moments (*)(const double* origin, const double* weight_of_glued, const Box& box,
+                               const MovingGrains<Real>& grains);
 
 }  // namespace flowslide::native

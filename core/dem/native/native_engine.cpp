@@ -66,6 +66,7 @@ void NativeEngine<Real>::take_grains(const Assembly& assembly) {
   const std::size_t n = assembly.size();
   grains_.role = assembly.role;
   glued_.clear();
+  grains_.top_layer.clear();
   grains_.bodies.assign(n + 2, Body<double>{});
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -78,9 +79,12 @@ void NativeEngine<Real>::take_grains(const Assembly& assembly) {
     body.inertia = sphere_inertia(body.radius, settings_.material);
     largest = std::max(largest, body.radius);
     if (!mobile(grains_.role[i])) glued_.push_back(static_cast<std::uint32_t>(i));
+    if (grains_.role[i] == Role::top_layer) grains_.top_layer.push_back(static_cast<std::uint32_t>(i));
   }
   pad(grains_.bodies, n);
-  grains_.moments.assign((n + native::block_size - 1) / native::block_size, {});
+  const std::size_t blocks = (n + native::block_size - 1) / native::block_size;
+  grains_.moments.assign(blocks, {});
+  grains_.across.assign(blocks, {});
   grains_.largest_diameter = 2.0 * largest;
   grains_.smallest_diameter = 2.0 * assembly.smallest_radius();
 }
@@ -117,6 +121,7 @@ void NativeEngine<Real>::hire(const Cell& cell) {
 template <typename Real>
 void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& settings) {
   settings_ = settings;
+  half_step_ = false;
   take_grains(assembly);
   const double least_period = 2.0 * native::Worker<Real>::longest_reach(grains_);
   for (int axis = 0; axis < 3; ++axis)
@@ -126,20 +131,7 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
                                     least_period));
   hire(assembly.cell);
   prepare_law();
-  // Forces and virial of the last step, for a stress before the first.
-  const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
-  for (native::Worker<Real>& worker : workers_) {
-    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
-        worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
-      }
-    for (const Contact& contact : forces.contacts)
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        worker.virial()[contact.first][axis] +=
-            contact.branch[static_cast<int>(axis)] * contact.force.on_first[static_cast<int>(axis)];
-    worker.measure(turn_);
-  }
+  take_loads(assembly);
   sum_up();
   if (const auto inside = count_grains(); inside != assembly.size())
     throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
@@ -148,6 +140,38 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
     worker.rebuild(turn_);
     worker.list().set_histories(assembly.contacts);
   }
+  take_last_step(assembly);
+}
+
+template <typename Real>
+void NativeEngine<Real>::take_loads(const Assembly& assembly) {
+  for (native::Worker<Real>& worker : workers_) {
+    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
+        worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
+      }
+    worker.measure(turn_);
+  }
+}
+
+/// What pairs across the faces of the cell and boundaries did in the last step, for a stress before the next.
+template <typename Real>
+void NativeEngine<Real>::take_last_step(const Assembly& assembly) {
+  const ContactForces forces = evaluate_contact_forces(assembly, settings_.material, settings_.time_step);
+  for (const Contact& contact : forces.contacts)
+    for (int axis = 0; axis < 2; ++axis) {
+      const double shift = grains_.bodies[contact.first].position[axis] -
+                           grains_.bodies[contact.second].position[axis] - contact.branch[axis];
+      grains_.across[contact.first / native::block_size][static_cast<std::size_t>(axis)] +=
+          shift * contact.force.on_first[axis];
+    }
+  // Planes and drag saw the velocities of the half step.
+  const std::vector<Body<double>> whole_step = grains_.bodies;
+  for (std::size_t i = 0; i < assembly.size(); ++i)
+    Vector3::Map(grains_.bodies[i].velocity) -= grains_.kick[i] * assembly.force[i];
+  sum_up();
+  grains_.bodies = whole_step;
 }
 
 template <typename Real>
@@ -183,6 +207,7 @@ void NativeEngine<Real>::prepare_law() {
 
 template <typename Real>
 void NativeEngine<Real>::set(const EngineSettings& settings) {
+  finish_step();
   settings_ = settings;
   for (native::Worker<Real>& worker : workers_) worker.boundaries().set(settings);
   prepare_law();
@@ -201,20 +226,27 @@ void NativeEngine<Real>::move(const BoundaryMotion& motion) {
 template <typename Real>
 void NativeEngine<Real>::run(std::int64_t steps) {
   if (steps <= 0) return;
-  team_->run([this, steps](int number) {
+  team_->run([this, steps](int number) {  // the end of the last run's last step joins the first begin
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
     int turn = turn_;
     for (std::int64_t step = 0; step < steps; ++step) {
       turn = 1 - turn;
-      worker.begin(step == 0, turn);
+      worker.begin(step == 0 && !half_step_, turn);
       team_->barrier();
       worker.meet(workers_, turn);
       worker.evaluate(turn, step + 1 == steps);
     }
-    worker.end(turn);
   });
   turn_ = static_cast<int>((turn_ + steps) % 2);
+  half_step_ = true;
   sum_up();
+}
+
+template <typename Real>
+void NativeEngine<Real>::finish_step() {
+  if (!half_step_) return;
+  for (native::Worker<Real>& worker : workers_) worker.end(grains_.bodies);
+  half_step_ = false;
 }
 
 template <typename Real>
@@ -225,9 +257,12 @@ void NativeEngine<Real>::sum_up() {
   sums_ = {};
   sums_.mobile_height_times_force = Vector3::Map(moments.height_times_force);
   sums_.mobile_moment = Vector3::Map(moments.moment);
-  sums_.pair_virial_x = moments.virial[0];
-  sums_.pair_virial_y = moments.virial[1];
   for (const native::Worker<Real>& worker : workers_) worker.add_boundary_forces(sums_);
+  double across[2] = {0.0, 0.0};
+  for (const std::array<double, 2>& block : grains_.across)
+    for (std::size_t axis = 0; axis < 2; ++axis) across[axis] += block[axis];
+  sums_.pair_virial_x = sums_.mobile_moment.x() - across[0];
+  sums_.pair_virial_y = sums_.mobile_moment.y() - across[1];
   sums_.top_force.z() += sums_.upper_plane.z();
 }
 
@@ -246,9 +281,11 @@ Assembly NativeEngine<Real>::save() const {
   Assembly assembly;
   assembly.cell = cell();
   assembly.resize(grains_.role.size());
-  for (const native::Worker<Real>& worker : workers_)
+  std::vector<Body<double>> bodies = grains_.bodies;
+  for (const native::Worker<Real>& worker : workers_) {
+    if (half_step_) worker.end(bodies);
     for (std::size_t i = worker.share().begin; i < worker.share().end; ++i) {
-      const Body<double>& body = grains_.bodies[i];
+      const Body<double>& body = bodies[i];
       assembly.position[i] = Vector3::Map(body.position);
       assembly.velocity[i] = Vector3::Map(body.velocity);
       assembly.spin[i] = Vector3::Map(body.spin);
@@ -257,10 +294,10 @@ Assembly NativeEngine<Real>::save() const {
       assembly.radius[i] = body.radius;
       assembly.role[i] = grains_.role[i];
     }
-  for (const native::Worker<Real>& worker : workers_) worker.add_histories(turn_, assembly.contacts);
+    worker.add_histories(turn_, assembly.contacts);
+  }
   return assembly;
 }
-
 template <typename Real>
 std::string NativeEngine<Real>::name() const {
   if constexpr (std::is_same_v<Real, float>) return "native-mixed";

@@ -52,6 +52,9 @@ class NativeEngine : public Engine {
   void hire(const Cell& cell);
   void prepare_law();
   std::vector<native::Share> shares(int threads) const;
+  void take_loads(const Assembly& assembly);
+  void take_last_step(const Assembly& assembly);
+  void finish_step();
   void sum_up();
 
   NativeOptions options_;
@@ -60,6 +63,7 @@ class NativeEngine : public Engine {
   std::vector<native::Worker<Real>> workers_;
   std::unique_ptr<native::ThreadTeam> team_;
   int turn_ = 0;                      ///< which of the published arrays is the last that was written
+  bool half_step_ = false;            ///< velocities are those of the last half step: its end waits for the next begin
   std::vector<std::uint32_t> glued_;  ///< grains that are not mobile
   StressSums sums_;                   ///< of the last step
   std::size_t inside_ = 0;

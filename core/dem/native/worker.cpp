@@ -22,13 +22,6 @@ auto rows(std::vector<std::array<double, 2>>& pairs) {
   return reinterpret_cast<double(*)[2]>(pairs.data());
 }
 
-std::vector<Share> blocks(const Share& share) {
-  std::vector<Share> all;
-  for (std::size_t begin = share.begin; begin < share.end; begin += block_size)
-    all.push_back({begin, std::min(begin + block_size, share.end)});
-  return all;
-}
-
 }  // namespace
 
 template <typename Real>
@@ -40,7 +33,7 @@ Worker<Real>::Worker(const Share& share, Grains<Real>& grains, const Boundaries&
       passes_(passes),
       list_(share),
       loads_(grains.bodies.size()),
-      virial_(grains.bodies.size()),
+      across_(grains.moments.size()),
       start_(grains.bodies.size()),
       allowance_(grains.role.size()),
       allowance_at_rest_(first_allowance) {}
@@ -155,52 +148,48 @@ void Worker<Real>::rebuild(int turn) {
 
 template <typename Real>
 void Worker<Real>::evaluate(int turn, bool last) {
-  if (last) std::fill(virial_.begin(), virial_.end(), std::array<double, 2>{});
+  if (last) std::fill(across_.begin(), across_.end(), std::array<double, 2>{});
   passes_.contacts(grains_.variant, grains_.law, list_.view(boundaries_.cell()), seen(turn).data(), loads_.data(),
-                   last ? rows(virial_) : nullptr);
+                   last ? rows(across_) : nullptr);
   boundaries_.push(grains_.bodies, grains_.role, loads_);
-}
-
-template <typename Real>
-void Worker<Real>::measure_block(const Share& block, int turn) {
-  alignas(32) double origin[4] = {};
-  Vector3::Map(origin) = boundaries_.cell().lower;
-  grains_.moments[block.begin / block_size] =
-      passes_.moments(origin, boundaries_.confines(), moving(block, turn), rows(virial_));
+  if (!last) return;
+  measure(turn);
+  for (std::size_t block = share_.begin / block_size; block * block_size < share_.end; ++block)
+    grains_.across[block] = across_[block];
 }
 
 template <typename Real>
 void Worker<Real>::measure(int turn) {
-  for (const Share& block : blocks(share_)) measure_block(block, turn);
+  const Cell& cell = boundaries_.cell();
+  alignas(32) double origin[4] = {}, weight_of_glued[4] = {};
+  Vector3::Map(origin) = cell.lower;
+  for (int axis = 0; axis < 3; ++axis) weight_of_glued[axis] = cell.periodic[axis] ? 1.0 : 0.0;
+  const Box confines = boundaries_.confines();
+  for (std::size_t begin = share_.begin; begin < share_.end; begin += block_size)
+    grains_.moments[begin / block_size] = passes_.moments(
+        origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, share_.end)}, turn));
 }
 
 template <typename Real>
-void Worker<Real>::end(int turn) {
-  for (const Share& block : blocks(share_)) {  // what is measured is still in the nearest cache
-    passes_.motion(MotionPart::end, grains_.time_step, boundaries_.mean_flow(), boundaries_.periods(),
-                   moving(block, turn));
-    measure_block(block, turn);
-  }
+void Worker<Real>::end(std::vector<Body<double>>& bodies) const {
+  passes_.motion(MotionPart::end, grains_.time_step, boundaries_.mean_flow(), boundaries_.periods(),
+                 {share_.begin, share_.end, grains_.kick.data(), grains_.twist.data(), bodies.data(), nullptr,
+                  const_cast<Load<Real>*>(loads_.data())});
 }
 
 template <typename Real>
 void Worker<Real>::add_boundary_forces(StressSums& sums) const {
-  const auto half_step_velocity = [&](std::size_t i, int axis) {
-    return grains_.bodies[i].velocity[axis] - grains_.kick[i] * loads_[i].force[axis];
-  };
-  boundaries_.add_upper_plane(grains_.bodies, half_step_velocity, sums.upper_plane);
+  boundaries_.add_upper_plane(grains_.bodies, sums.upper_plane);
+  for (const std::uint32_t i : grains_.top_layer)
+    for (int axis = 0; axis < 3 && share_.owns(i); ++axis) sums.top_force[axis] -= loads_[i].force[axis];
   const double drag = boundaries_.settings().drag;
-  const Vector3 lower = boundaries_.cell().lower;
+  if (drag == 0.0) return;
   for (std::size_t i = share_.begin; i < share_.end; ++i) {
-    if (grains_.role[i] == Role::top_layer)
-      for (int axis = 0; axis < 3; ++axis) sums.top_force[axis] -= loads_[i].force[axis];
-    if (drag == 0.0 || grains_.role[i] != Role::mobile) continue;
-    const Vector3 arm = Vector3::Map(grains_.bodies[i].position) - lower;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double resistance = -drag * half_step_velocity(i, axis);
-      sums.mobile_height_times_force[axis] -= arm.z() * resistance;
-      sums.mobile_moment[axis] -= arm[axis] * resistance;
-    }
+    if (grains_.role[i] != Role::mobile) continue;
+    const Vector3 resistance = -drag * Vector3::Map(grains_.bodies[i].velocity);
+    const Vector3 arm = Vector3::Map(grains_.bodies[i].position) - boundaries_.cell().lower;
+    sums.mobile_height_times_force -= arm.z() * resistance;
+    sums.mobile_moment -= arm.cwiseProduct(resistance);
   }
 }
 

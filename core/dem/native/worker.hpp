@@ -22,6 +22,8 @@ struct Grains {
   std::vector<double> kick, twist;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
   double time_step = 0.0;           ///< dt_L, s
   std::vector<Moments> moments;     ///< of each block, at the end of the last run
+  std::vector<std::array<double, 2>> across;  ///< of each block, then (see ContactPass), N m
+  std::vector<std::uint32_t> top_layer;
   LawConstants<Real> law{};
   LawVariant variant = LawVariant::sliding_and_rolling;
   double smallest_diameter = 0.0, largest_diameter = 0.0;  ///< m
@@ -41,13 +43,14 @@ class Worker {
   void begin(bool first, int turn);
   /// Takes note of what all workers have done; after a barrier.
   void meet(const std::vector<Worker>& all, int turn);
-  /// Second half: sums the loads of the own grains. The virial is kept if this is the last step of a run.
+  /// Second half: sums the loads of the own grains. The last step of a run is measured: see Grains.
   void evaluate(int turn, bool last);
-  /// After the last step of a run: the half kick that is left, and the moments.
-  void end(int turn);
+  /// The half kick that is left after the last step of a run, of the own grains in `bodies`.
+  void end(std::vector<Body<double>>& bodies) const;
   /// Sums the moments of the own grains, block by block.
   void measure(int turn);
-  /// Adds to `sums` what glued grains and planes do to the share's grains, and takes the moments of drag out of them.
+  /// Adds to `sums` what the top layer and planes do to the share's grains, and takes the moments of drag out of them.
+  /// Velocities are those of the half step.
   void add_boundary_forces(StressSums& sums) const;
   /// Adds the histories of the share's pairs that touch.
   void add_histories(int turn, std::vector<ContactHistory>& contacts) const;
@@ -64,8 +67,6 @@ class Worker {
   PairList<Real>& list() { return list_; }
   std::vector<Load<Real>>& loads() { return loads_; }
   const std::vector<Load<Real>>& loads() const { return loads_; }
-  /// Sums over pairs by their first grain, of which the share's are valid, N m; shape (grains + 2, 2).
-  std::vector<std::array<double, 2>>& virial() { return virial_; }
 
  private:
   struct Fold {
@@ -83,7 +84,6 @@ class Worker {
   MovingGrains<Real> moving(const Share& part, int turn);
   void fold(std::vector<Fold>& folds);
   void allow(const std::vector<Body<Real>>& bodies);
-  void measure_block(const Share& block, int turn);
 
   Share share_;
   Grains<Real>& grains_;
@@ -91,7 +91,7 @@ class Worker {
   Passes<Real> passes_;
   PairList<Real> list_;
   std::vector<Load<Real>> loads_;  ///< those of others' grains are partial sums that nobody reads
-  std::vector<std::array<double, 2>> virial_;
+  std::vector<std::array<double, 2>> across_;  ///< of each block; those of others are partial sums as well
   std::array<News, 2> news_;
   std::vector<Start> start_;       ///< when the list was built, folded as the grains
   std::vector<double> allowance_;  ///< of each grain, m

@@ -70,19 +70,19 @@ inline double slack(const MeanDrift& drift, const Start* start, const MovingGrai
 
 /// See MomentPass.
 template <typename Real>
-inline Moments moments(const double* origin, const Box& box, const MovingGrains<Real>& g, const double (*virial)[2]) {
+inline Moments moments(const double* origin, const double* weight_of_glued, const Box& box,
+                       const MovingGrains<Real>& g) {
   const DoubleRow at = row_at(origin), lower = row_at(box.lower), upper = row_at(box.upper);
+  const DoubleRow one{1.0, 1.0, 1.0, 1.0}, glued = row_at(weight_of_glued);
   DoubleRow height_times_force{}, moment{};
   Moments sums;
   for (std::size_t i = g.begin; i < g.end; ++i) {
     const DoubleRow position = row_at(g.bodies[i].position), arm = position - at;
-    // Glued grains count with zero; their forces are finite.
-    const DoubleRow force = (g.kick[i] > 0.0 ? 1.0 : 0.0) * in_double(row_at(g.loads[i].force));
-    height_times_force += arm[2] * force;
-    moment += arm * force;
-    const Mask inside = (position >= lower) & (position <= upper);
-    sums.inside += (inside[0] & inside[1] & inside[2]) != 0;
-    for (int axis = 0; axis < 2; ++axis) sums.virial[axis] += virial[i][axis];
+    const DoubleRow force = in_double(row_at(g.loads[i].force));
+    const bool mobile = g.kick[i] > 0.0;
+    height_times_force += (mobile ? arm[2] : 0.0) * force;
+    moment += arm * force * (mobile ? one : glued);
+    sums.inside += !any((position < lower) | (position > upper) | (position != position));
   }
   put_row(sums.height_times_force, height_times_force);
   put_row(sums.moment, moment);

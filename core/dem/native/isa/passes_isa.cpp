@@ -15,24 +15,24 @@ namespace {
 
 template <typename Real, bool Sliding, bool Rolling>
 void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs, const Body<Real>* bodies,
-               Load<Real>* loads, double (*virial)[2]) {
+               Load<Real>* loads, double (*across)[2]) {
   constexpr bool spins = Sliding || Rolling;
   Tile<Real> tile;
   for (std::size_t start = 0; start < pairs.count; start += Tile<Real>::size) {
     gather<Real, spins>(pairs, start, bodies, tile);
     apply_law<Real, Sliding, Rolling>(constants, tile);
     scatter<Real, spins>(pairs, start, tile, loads);
-    if (virial) add_virial(pairs, start, tile, virial);
+    if (across) add_across(pairs, start, tile, across);
   }
 }
 
 template <typename Real>
 void contacts(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
-              const Body<Real>* bodies, Load<Real>* loads, double (*virial)[2]) {
+              const Body<Real>* bodies, Load<Real>* loads, double (*across)[2]) {
   switch (variant) {
-    case LawVariant::frictionless: return all_pairs<Real, false, false>(constants, pairs, bodies, loads, virial);
-    case LawVariant::sliding: return all_pairs<Real, true, false>(constants, pairs, bodies, loads, virial);
-    case LawVariant::sliding_and_rolling: return all_pairs<Real, true, true>(constants, pairs, bodies, loads, virial);
+    case LawVariant::frictionless: return all_pairs<Real, false, false>(constants, pairs, bodies, loads, across);
+    case LawVariant::sliding: return all_pairs<Real, true, false>(constants, pairs, bodies, loads, across);
+    case LawVariant::sliding_and_rolling: return all_pairs<Real, true, true>(constants, pairs, bodies, loads, across);
   }
 }
 

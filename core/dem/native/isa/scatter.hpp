@@ -67,12 +67,17 @@ inline void scatter(const PairView<Real>& pairs, std::size_t start, const Tile<R
   }
 }
 
-/// Adds l_x f_x and l_y f_y of each pair to the row of its first grain.
+/// Adds the products of shift and force of pairs that meet across a face of the cell to the blocks of their first
+/// grains.
 template <typename Real>
-inline void add_virial(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, double (*virial)[2]) {
-  for (int k = 0; k < Tile<Real>::size; ++k)
+inline void add_across(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, double (*across)[2]) {
+  for (int k = 0; k < Tile<Real>::size; ++k) {
+    const std::size_t pair = start + static_cast<std::size_t>(k);
+    if (pairs.image[pair] == image_of(0, 0, 0)) continue;
     for (int axis = 0; axis < 2; ++axis)
-      virial[pairs.first[start + k]][axis] += t.separation[axis][k] * static_cast<double>(t.force[axis][k]);
+      across[pairs.first[pair] / block_size][axis] +=
+          pairs.image_shift[pairs.image[pair]][axis] * static_cast<double>(t.force[axis][k]);
+  }
 }
 
 }  // namespace FLOWSLIDE_ISA

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "app/sample_cache.hpp"
+#include "dem/liggghts/commands.hpp"
+#include "dem/make_engine.hpp"
+
+namespace flowslide {
+
+std::string replicate_name(const std::string& point, int replicate) {
+  return replicate == 0 ? point : fmt::format("{}_r{}", point, replicate + 1);
+}
+
+double seconds_per_grain_and_step(const std::string& engine) {
+  if (engine == "liggghts") return 1.6e-7;
+  return engine.starts_with("native") ? 3.7e-8 : 0.0;
+}
+
+void print_sample_plan(std::ostream& out, const SampleSpecification& sample, const std::string& preparation_engine) {
+  out << fmt::format("# sample {}: e0 = {} +- {}, search from mu_1 = {} and a drag of {} kg/s, seed {}\n", sample.name,
+                     sample.target.void_ratio, sample.target.tolerance, sample.recipe.preparation_friction,
+                     sample.recipe.drag, sample.recipe.packing.seed);
+  out << fmt::format(
+      "# key of its first trial in the cache: {}\n",
+      cache_key(sample.recipe, preparation_engine + " " + make_engine(preparation_engine, "/dev/null")->version()));
+}
+
+void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step) {
+  if (engine != "liggghts") return;
+  Assembly assembly = lattice_packing(recipe.packing);
+  assembly.cell.periodic = {true, true, false};
+  out << "# LIGGGHTS, with the box of the loose packing in place of the sample's:\n";
+  for (const auto& line : setup_commands(assembly, {recipe.material, time_step, 0.0})) out << line << "\n";
+  for (const auto& line : grain_commands()) out << line << "\n";
+}
+
+}  // namespace flowslide

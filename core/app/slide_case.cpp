@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/slide_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "app/closed_form_models.hpp"
+#include "app/coupling_models.hpp"
+#include "app/plan.hpp"
+#include "app/ranks.hpp"
+#include "dem/make_engine.hpp"
+#include "record/gnuplot_table.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr int band_rows = 200;  ///< of a figure: finer than what it can show
+
+bool is_closed_form(const std::string& engine) {
+  const std::vector<std::string> names = closed_form_sample_names();
+  return std::find(names.begin(), names.end(), engine) != names.end();
+}
+
+std::string state_text(const SlideState& state) {
+  return fmt::format("t {:.2f} s, v {:.2f} m/s, tau {:.0f} Pa", state.time, state.velocity, state.stress.shear);
+}
+
+Table band_table(const std::string& case_name, const std::string& slide, std::size_t replicates, Series series) {
+  return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
+}
+
+}  // namespace
+
+/// A sample, and what it lives on.
+struct SlideCase::Loaded {
+  std::unique_ptr<Engine> engine;
+  std::unique_ptr<Sample> sample;
+  DemSample* grains = nullptr;        ///< the sample, if it is made of them
+  std::vector<Metric> metrics;        ///< of the sample
+  std::string engine_name, engine_version;
+};
+
+SlideCase::SlideCase(CaseDescription description, std::filesystem::path folder)
+    : description_(std::move(description)), folder_(std::move(folder)) {
+  description_.engines = engine_names();
+  for (const std::string& name : closed_form_sample_names()) description_.engines.push_back(name);
+}
+
+void SlideCase::read(const Configuration& configuration) {
+  engine_ = configuration.text("engine", description_.engines);
+  preparation_engine_ = configuration.text("preparation.engine", engine_names());
+  slope_ = read_slope(configuration);
+  material_ = read_material(configuration);
+  check_strength(configuration, slope_, material_.sliding_friction);
+  seed_ = configuration.integer("seed", Range::between(0, 1e9));
+  if (is_closed_form(engine_)) {
+    read_closed_form_sample(configuration, engine_, slope_);
+    closed_form_ = [configuration, engine = engine_, slope = slope_] {
+      return read_closed_form_sample(configuration, engine, slope);
+    };
+  }
+  for (const std::string& name : closed_form_sample_names()) configuration.accept(name);
+  const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
+  for (int replicate = 0; replicate < replicates; ++replicate) {
+    const auto samples = read_samples(configuration, slope_, material_, replicate);
+    for (const std::string& name : configuration.subtables("point"))
+      slides_.push_back(read_slide_point(configuration, name, replicate, samples, slope_, engine_, folder_));
+  }
+}
+
+std::vector<Point> SlideCase::points() const {
+  std::vector<Point> points;
+  for (const SlidePoint& slide : slides_) points.push_back(slide.point);
+  return points;
+}
+
+const SlidePoint& SlideCase::slide(const std::string& point) const {
+  return *std::find_if(slides_.begin(), slides_.end(), [&](const SlidePoint& s) { return s.point.name == point; });
+}
+
+void SlideCase::print_plan(const Point& point, std::ostream& out) const {
+  const SlidePoint& planned = slide(point.name);
+  const SlideSettings& settings = planned.settings;
+  if (!closed_form_) print_sample_plan(out, planned.sample, preparation_engine_);
+  print_engine_plan(out, planned.sample.recipe, engine_, settings.passing.time_step);
+  out << fmt::format("# {:.0f} global steps of {} s, about {:.3g} local steps of {} s\n",
+                     std::ceil(planned.stop.end_time / settings.time_step), settings.time_step,
+                     predicted_steps(settings, planned.stop), settings.passing.time_step);
+}
+
+SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) const {
+  Loaded loaded;
+  if (closed_form_) {
+    loaded.sample = closed_form_();
+    loaded.engine_name = engine_;
+    loaded.engine_version = run.provenance.code_version;
+    return loaded;
+  }
+  const auto preparing =
+      make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"));
+  const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress);
+  loaded.metrics = metrics_of(found);
+  loaded.engine = make_engine(engine_, run.output.file(slide.point.name + "." + engine_ + ".log"));
+  auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
+                                            EngineSettings{material_, slide.settings.passing.time_step, 0.0});
+  loaded.grains = grains.get();
+  loaded.sample = std::move(grains);
+  loaded.engine_name = loaded.engine->name();
+  loaded.engine_version = loaded.engine->version();
+  return loaded;
+}
+
+void SlideCase::run(const Point& point, const PointRun& run) const {
+  const SlidePoint& running = slide(point.name);
+  Loaded loaded = load(running, run);
+  const GrainScale grains{lattice_packing(running.sample.recipe.packing).mean_diameter(), material_.density};
+  Slide sliding(running.settings, *loaded.sample);
+  SlideRecord record{running.rows, grains};
+  ProfileRecord profile_record(running.profiles);
+  Progress progress(point.name, std::llround(running.stop.end_time / running.settings.time_step), run.progress);
+  SlideHooks hooks;
+  hooks.row = [&](const Slide& now, const Series&) {
+    progress.update(now.state().exchanges, state_text(now.state()));
+  };
+  hooks.go_on = [&](const SlideState& state) {
+    if (loaded.grains) profile_record.take(state.strain.shear, *loaded.grains);
+    return true;
+  };
+  const Stop stop = run_slide(sliding, running.stop, record, hooks);
+
+  const Series profiles = profile_record.series();
+  Result result{run.provenance, run.configuration, run.configuration_hash, record.series, loaded.metrics};
+  for (const Metric& metric : slide_metrics({running, record.series, profiles, stop}))
+    if (std::isfinite(metric.value)) result.metrics.push_back(metric);
+  result.provenance.engine = loaded.engine_name;
+  result.provenance.engine_version = loaded.engine_version;
+  result.provenance.seed = seed_;
+  result.provenance.replicate = running.replicate;
+  on_first_rank([&] {
+    Table table = table_of(result);
+    write_table(run.output.file(point.name + ".dat"), table);
+    table.series = profiles;
+    if (!profiles.columns.empty()) write_table(run.output.file(point.name + "_profiles.dat"), table);
+    write_result(run.output.file(point.name + ".h5"), result);
+  });
+  progress.finish(state_text(sliding.state()));
+}
+
+Ensembles SlideCase::results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const {
+  Ensembles slides;
+  for (const std::string& point : points) slides[slide(point).name].push_back(read_result(folder / (point + ".h5")));
+  return slides;
+}
+
+std::map<std::string, double> SlideCase::metrics(const std::filesystem::path& folder,
+                                                 const std::vector<std::string>& points) const {
+  const Ensembles slides = results_in(folder, points);
+  std::map<std::string, double> all;
+  for (const auto& [name, ensemble] : slides) {
+    for (const auto& [metric, value] : summary_of(ensemble)) all[name + "." + metric] = value;
+    for (const Result& result : ensemble)
+      for (const Metric& metric : result.metrics) all[result.provenance.point + "." + metric.name] = metric.value;
+  }
+  compare(slides, all);
+  std::erase_if(all, [](const auto& metric) { return !std::isfinite(metric.second); });
+  return all;
+}
+
+void SlideCase::finish(const OutputFolder& output) const {
+  std::vector<std::string> present;
+  std::map<std::string, std::vector<Series>> profiles;
+  for (const SlidePoint& slide : slides_) {
+    if (std::filesystem::exists(output.file(slide.point.name + ".h5"))) present.push_back(slide.point.name);
+    const auto file = output.file(slide.point.name + "_profiles.dat");
+    if (std::filesystem::exists(file)) profiles[slide.name].push_back(read_table(file).series);
+  }
+  for (const auto& [name, ensemble] : results_in(output.path(), present))
+    for (const std::string& abscissa : abscissas())
+      write_table(output.file(name + "_over_" + abscissa + ".dat"),
+                  band_table(description_.name, name, ensemble.size(), band_over(ensemble, abscissa, band_rows)));
+  for (const auto& [name, all] : profiles)
+    write_table(output.file(name + "_profiles_band.dat"),
+                band_table(description_.name, name, all.size(), band_of_rows(all)));
+}
+
+}  // namespace flowslide

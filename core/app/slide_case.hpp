@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What all cases that slide share. A case derives from SlideCase and adds the numbers that its claims are about; the
+// rest stands in its case.toml: the slides as [point.<name>] (see read_slide_point), one replicate per sample, each of
+// them a point of its own, so that they run side by side and are kept one by one.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/ensemble.hpp"
+#include "app/sample_cache.hpp"
+#include "app/slide_point.hpp"
+
+namespace flowslide {
+
+/// What came out of one slide.
+struct SlideOutcome {
+  const SlidePoint& point;
+  const Series& series;     ///< see slide_series
+  const Series& profiles;   ///< see ProfileRecord; without columns if none were asked for
+  Stop stop;                ///< why it ended
+};
+
+class SlideCase : public Case {
+ public:
+  /// `folder` holds case.toml and the loading tables that it names.
+  SlideCase(CaseDescription description, std::filesystem::path folder);
+
+  CaseDescription description() const override { return description_; }
+  void read(const Configuration& configuration) override;
+  std::vector<Point> points() const override;
+  void print_plan(const Point& point, std::ostream& out) const override;
+  /// Writes <point>.h5 and .dat, and <point>_profiles.dat if profiles were asked for.
+  void run(const Point& point, const PointRun& run) const override;
+  /// "<point>.<metric>" of each result, "<slide>.<metric>.median" and so on of its replicates (see summary_of), and
+  /// what compare() adds.
+  std::map<std::string, double> metrics(const std::filesystem::path& folder,
+                                        const std::vector<std::string>& points) const override;
+  /// Median and band of the replicates of each slide: <slide>_over_<abscissa>.dat and <slide>_profiles_band.dat.
+  void finish(const OutputFolder& output) const override;
+
+ protected:
+  /// The numbers of one slide; those that are not finite are left out.
+  virtual std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const = 0;
+  /// Numbers about several slides, from those that have been run. `metrics` holds all others already.
+  virtual void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const = 0;
+  /// Columns, or the axis "time", over which the figures show the replicates.
+  virtual std::vector<std::string> abscissas() const = 0;
+
+  const SlopeProperties& slope() const { return slope_; }
+
+ private:
+  struct Loaded;
+  const SlidePoint& slide(const std::string& point) const;
+  Loaded load(const SlidePoint& slide, const PointRun& run) const;
+  Ensembles results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const;
+
+  CaseDescription description_;
+  std::filesystem::path folder_;
+  std::string engine_, preparation_engine_;
+  std::function<std::unique_ptr<Sample>()> closed_form_;  ///< in place of an engine
+  std::int64_t seed_ = 1;
+  Material material_;
+  SlopeProperties slope_;
+  std::vector<SlidePoint> slides_;
+};
+
+}  // namespace flowslide
