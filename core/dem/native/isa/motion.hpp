@@ -18,16 +18,20 @@ inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2]) != 0; }
 /// The motion pass with its part known at compile time. The last number of a row of loads is 0, so that mass and
 /// inertia, which stand behind velocity and spin, stay what they are.
 template <typename Real, bool End, bool Begin>
-inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& box, const MovingGrains<Real>& g) {
+inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& box,
+                           const MovingGrains<Real>& grains) {
   const DoubleRow drift{time_step, time_step, time_step, 0.0};
   const DoubleRow base = row_at(flow.base), slope = row_at(flow.slope);
   const DoubleRow lower = row_at(box.lower), upper = row_at(box.upper);
   DoubleRow lowest = lower, highest = lower, fastest{};
+  const MovingGrains<Real> g = grains;  // a copy, which no store can change
+  const bool publish = static_cast<void*>(g.published) != g.bodies;
+  const double origin = flow.origin;
   for (std::size_t i = g.begin; i < g.end; ++i) {
     Body<double>& body = g.bodies[i];
     Load<Real>& load = g.loads[i];
-    const DoubleRow kicked = g.kick[i] * in_double(row_at(load.force));
-    const DoubleRow twisted = g.twist[i] * in_double(row_at(load.torque));
+    const DoubleRow kicked = g.kick[i] * row_in_double(load.force);
+    const DoubleRow twisted = g.twist[i] * row_in_double(load.torque);
     DoubleRow velocity = row_at(body.velocity) + kicked, spin = row_at(body.spin) + twisted;
     if constexpr (End && Begin) {
       velocity += kicked;
@@ -36,7 +40,7 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
     put_row(body.velocity, velocity);
     put_row(body.spin, spin);
     if constexpr (Begin) {
-      const DoubleRow fluctuation = velocity - (base + slope * (body.position[2] - flow.origin));
+      const DoubleRow fluctuation = velocity - (base + slope * (body.position[2] - origin));
       fastest = larger(fluctuation * fluctuation, fastest);
       const DoubleRow position = row_at(body.position) + drift * velocity;
       lowest = smaller(position, lowest);
@@ -44,7 +48,7 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
       put_row(body.position, position);
       put_row(load.force, Row<Real>{});
       put_row(load.torque, Row<Real>{});
-      if (static_cast<void*>(g.published) == g.bodies) continue;
+      if (!publish) continue;
       Body<Real>& published = g.published[i];
       put_row(published.position, position);
       put_row(published.velocity, rounded<Real>(velocity));
@@ -78,7 +82,7 @@ inline Moments moments(const double* origin, const double* weight_of_glued, cons
   Moments sums;
   for (std::size_t i = g.begin; i < g.end; ++i) {
     const DoubleRow position = row_at(g.bodies[i].position), arm = position - at;
-    const DoubleRow force = in_double(row_at(g.loads[i].force));
+    const DoubleRow force = row_in_double(g.loads[i].force);
     const bool mobile = g.kick[i] > 0.0;
     height_times_force += (mobile ? arm[2] : 0.0) * force;
     moment += arm * force * (mobile ? one : glued);

@@ -32,8 +32,11 @@ inline void add_row(Real* numbers, Row<Real> row) {
   put_row(numbers, row_at(numbers) + row);
 }
 
-inline DoubleRow in_double(DoubleRow row) { return row; }
-inline DoubleRow in_double(FloatRow row) { return __builtin_convertvector(row, DoubleRow); }
+inline DoubleRow row_in_double(const double* numbers) { return row_at(numbers); }
+inline DoubleRow row_in_double(const float* numbers) {
+  const auto in_double = [numbers](int i) { return static_cast<double>(numbers[i]); };
+  return DoubleRow{in_double(0), in_double(1), in_double(2), in_double(3)};
+}
 template <typename Real>
 inline Row<Real> rounded(DoubleRow row) {
   if constexpr (std::is_same_v<Real, double>)
