@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <tuple>
 
 namespace flowslide {
 namespace {
@@ -30,7 +32,7 @@ void BenchTable::ReportRuns(const std::vector<Run>& runs) {
     const std::size_t slash = name.find('/');
     const double steps = value("steps/s");
     rows_.push_back({name.substr(0, slash), name.substr(slash + 1), value("grains"), value("contacts"),
-                     value("workers"), steps, 1e9 / (steps * value("contacts")), value("exchange share")});
+                     value("workers"), steps, 1e9 / (steps * value("contacts")), value("exchange share"), value("place")});
   }
 }
 
@@ -44,6 +46,10 @@ const BenchTable::Row* BenchTable::liggghts_for(const Row& row) const {
 
 void BenchTable::Finalize() {
   if (quiet_) return;
+  // Repetitions alternate, so that results come in any order.
+  std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
+    return std::tie(a.grains, a.place) < std::tie(b.grains, b.place);
+  });
   fmt::print("| N | state | contacts | engine | cores | steps/s | ns per contact and step | grain steps/s | exchanges | "
              "x LIGGGHTS | x tuned LIGGGHTS | share of the floor |\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|---|---|---|\n");

@@ -23,6 +23,7 @@ class BenchTable : public benchmark::BenchmarkReporter {
     std::string state, engine;
     double grains, contacts, workers, steps_per_second, cost;  ///< cost: ns per contact and step
     double exchange_share;                                     ///< of the time, with one every ten steps
+    double place;                                              ///< in the order of the benchmarks
   };
   const Row* liggghts_for(const Row& row) const;
   bool quiet_;

@@ -31,8 +31,8 @@ constexpr int steps_per_exchange = 10, exchanges_per_round = 10, warm_rounds = 5
 /// One engine with one state, kept between repetitions.
 class Bench {
  public:
-  Bench(const BenchState& state, const std::string& engine, int threads)
-      : state_(state), engine_name_(engine), threads_(threads) {}
+  Bench(const BenchState& state, const std::string& engine, int threads, std::size_t place)
+      : state_(state), engine_name_(engine), threads_(threads), place_(place) {}
 
   void run(benchmark::State& timed) {
     if (!sample_) start();
@@ -43,6 +43,7 @@ class Bench {
     timed.counters["grains"] = static_cast<double>(state_.assembly.size());
     timed.counters["contacts"] = static_cast<double>(contacts_);
     timed.counters["workers"] = engine_name_ == "liggghts" ? mpi_ranks() : threads_;
+    timed.counters["place"] = static_cast<double>(place_);
     timed.counters["exchange share"] = exchange_share();
   }
 
@@ -76,6 +77,7 @@ class Bench {
   const BenchState& state_;
   std::string engine_name_;
   int threads_;
+  std::size_t place_;  ///< in the table
   std::unique_ptr<Engine> engine_;
   std::optional<DemSample> sample_;
   std::size_t contacts_ = 0;
@@ -121,7 +123,7 @@ int run(int argc, char** argv) {
     for (const std::string& name : options.states) {
       const BenchState& state = *states.emplace_back(std::make_unique<BenchState>(bench_state(name, grains)));
       for (const std::string& engine : options.engines) {
-        Bench* bench = benches.emplace_back(std::make_unique<Bench>(state, engine, options.threads)).get();
+        Bench* bench = benches.emplace_back(std::make_unique<Bench>(state, engine, options.threads, benches.size())).get();
         // All ranks step together, so each runs a fixed number of times: some 0.2 s.
         const int rounds = std::max(1, (engine == "liggghts" ? 20'000 : 100'000) / static_cast<int>(state.assembly.size()));
         benchmark::RegisterBenchmark((name + "/" + engine).c_str(), [bench](benchmark::State& s) { bench->run(s); })
