@@ -9,8 +9,9 @@
 
 namespace flowslide {
 
-/// Names of the engines of this build: "liggghts"; "native" in double with the same bits everywhere; "native-fused",
-/// in double and faster; "native-mixed", with the contact law in float, faster still.
+/// Names of the engines of this build: "liggghts", told to clear histories at separation; "liggghts-stock", which keeps
+/// them until it builds its neighbour list; "native" in double with the same bits everywhere; "native-fused", in double
+/// and faster; "native-mixed", with the contact law in float, faster still.
 std::vector<std::string> engine_names();
 
 /// The engine of that name; `log` is the file for what it writes of itself. Throws std::invalid_argument for an unknown

@@ -34,7 +34,8 @@ constexpr double skin_share = 0.05;
 
 }  // namespace
 
-std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings) {
+std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings,
+                                        SeparatedHistory separated) {
   const Material& m = settings.material;
   const auto& periodic = assembly.cell.periodic;
   const auto boundary = [&](int axis) { return periodic[axis] ? 'p' : 'f'; };
@@ -49,9 +50,9 @@ std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSe
       box_command(assembly.cell),
       fmt::format("create_box {} box", atom_types),
       fmt::format("neighbor {:.17g} bin", skin_share * 2.0 * assembly.smallest_radius()),
-      // A factor above 1 makes LIGGGHTS clear the history of a pair that separates; else it waits for the next build
-      // of the neighbour list and an old spring may come back to life.
-      "neigh_modify delay 0 every 1 check yes contact_distance_factor 1.005",
+      // A factor above 1 makes LIGGGHTS clear the history of a pair that separates.
+      fmt::format("neigh_modify delay 0 every 1 check yes contact_distance_factor {}",
+                  separated == SeparatedHistory::cleared ? 1.005 : 1.0),
       per_type("youngsModulus", m.youngs_modulus),
       per_type("poissonsRatio", m.poisson_ratio),
       per_pair("coefficientRestitution", m.restitution),

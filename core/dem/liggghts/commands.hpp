@@ -15,8 +15,15 @@ constexpr Role role_of(int atom_type) { return static_cast<Role>(atom_type - 1);
 /// move outwards by this much.
 inline constexpr double box_margin = 0.25;
 
+/// What becomes of the history of a pair that separates.
+enum class SeparatedHistory {
+  cleared,  ///< at once, as the contact law says
+  kept      ///< until the next build of the neighbour list, as LIGGGHTS does by itself: it may come back to life
+};
+
 /// Commands that set up a simulation of the grains of `assembly`, before any grain exists.
-std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings);
+std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings,
+                                        SeparatedHistory separated = SeparatedHistory::cleared);
 
 /// Commands that need the grains: which of them obey Newton's law, which pairs are left out.
 std::vector<std::string> grain_commands();

@@ -63,7 +63,10 @@ Vector3 fold(const Cell& cell, Vector3 position) {
 
 }  // namespace
 
-LiggghtsEngine::LiggghtsEngine(std::filesystem::path log) : log_(std::move(log)) { ensure_mpi(); }
+LiggghtsEngine::LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated)
+    : log_(std::move(log)), separated_(separated) {
+  ensure_mpi();
+}
 LiggghtsEngine::~LiggghtsEngine() = default;
 
 void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settings) {
@@ -72,7 +75,7 @@ void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settin
   grains_ = assembly.size();
   instance_.reset();
   instance_ = std::make_unique<LiggghtsInstance>(log_);
-  for (const std::string& line : setup_commands(assembly, settings)) instance_->command(line);
+  for (const std::string& line : setup_commands(assembly, settings, separated_)) instance_->command(line);
   create_grains(assembly);
   for (const std::string& line : grain_commands()) instance_->command(line);
   install_steering(assembly.cell);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "dem/engine.hpp"
+#include "dem/liggghts/commands.hpp"
 #include "dem/liggghts/instance.hpp"
 
 namespace flowslide {
@@ -14,7 +15,7 @@ class SteeringFix;
 class LiggghtsEngine : public Engine {
  public:
   /// `log`: file that LIGGGHTS writes its log to.
-  explicit LiggghtsEngine(std::filesystem::path log);
+  explicit LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated = SeparatedHistory::cleared);
   ~LiggghtsEngine() override;
 
   void load(const Assembly& assembly, const EngineSettings& settings) override;
@@ -26,7 +27,7 @@ class LiggghtsEngine : public Engine {
   CellStress cell_stress() const override;
   Cell cell() const override;
   std::uint64_t count_grains() const override;
-  std::string name() const override { return "liggghts"; }
+  std::string name() const override { return separated_ == SeparatedHistory::cleared ? "liggghts" : "liggghts-stock"; }
   std::string version() const override;
 
  private:
@@ -36,6 +37,7 @@ class LiggghtsEngine : public Engine {
   void advance(int steps);
 
   std::filesystem::path log_;
+  SeparatedHistory separated_;
   EngineSettings settings_;
   BoundaryMotion motion_;
   std::size_t grains_ = 0;

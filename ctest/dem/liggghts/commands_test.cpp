@@ -24,6 +24,9 @@ TEST(Commands, AllowHardParticlesBeforeAnythingElse) {
 TEST(Commands, ClearHistoriesOfPairsThatSeparate) {
   const std::string line = command_that_starts(setup_commands(touching_lattice(), {}), "neigh_modify");
   EXPECT_NE(line.find("contact_distance_factor 1.005"), std::string::npos) << line;
+  const std::string stock =
+      command_that_starts(setup_commands(touching_lattice(), {}, SeparatedHistory::kept), "neigh_modify");
+  EXPECT_EQ(stock.substr(stock.size() - 2), " 1") << stock;
 }
 
 TEST(Commands, KeepEveryDigitOfTheSettings) {
