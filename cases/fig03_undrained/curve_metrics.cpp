@@ -59,15 +59,6 @@ class Record {
   double scale_;
 };
 
-void add_sample(std::vector<Metric>& metrics, const FoundSample& found) {
-  metrics.push_back({"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"});
-  metrics.push_back({"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1",
-                     "void ratio a mean diameter away from the planes"});
-  metrics.push_back({"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"});
-  metrics.push_back({"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"});
-  metrics.push_back({"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"});
-}
-
 void add_peak(std::vector<Metric>& metrics, const Record& record) {
   const double peak = record.largest("shear_stress", 0.0, first_window);
   metrics.push_back({"peak_shear_stress", peak, "Pa", "largest shear stress up to 5 % strain"});
@@ -139,10 +130,9 @@ void add_formulas(std::vector<Metric>& metrics, const Record& record) {
 
 }  // namespace
 
-std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress, const FoundSample& sample) {
+std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress) {
   const Record record(series, initial_normal_stress);
   std::vector<Metric> metrics;
-  add_sample(metrics, sample);
   add_peak(metrics, record);
   add_liquefaction(metrics, record);
   add_rates(metrics, record);

@@ -2,7 +2,6 @@
 #pragma once
 #include <vector>
 
-#include "app/sample_cache.hpp"
 #include "record/series.hpp"
 
 namespace flowslide {
@@ -10,6 +9,6 @@ namespace flowslide {
 /// The numbers that the claims about a curve are made of, from the record of an element test. Stresses relative to
 /// `initial_normal_stress` (sigma_0, Pa) are shares of 1. A metric that the curve does not have (it ends before the
 /// window, say) is left out.
-std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress, const FoundSample& sample);
+std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress);
 
 }  // namespace flowslide

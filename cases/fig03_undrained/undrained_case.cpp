@@ -7,10 +7,9 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/error.hpp"
+#include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "curve_metrics.hpp"
-#include "dem/liggghts/commands.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/measures.hpp"
 #include "pictures.hpp"
@@ -19,17 +18,6 @@
 #include "record/result_file.hpp"
 
 namespace flowslide {
-namespace {
-
-/// Time of a grain and step on one core, dense (README, "Engines"): for predictions alone.
-double seconds_per_grain_and_step(const std::string& engine) { return engine == "native" ? 3.7e-8 : 1.6e-7; }
-
-std::string point_name(const std::string& curve, int replicate) {
-  return replicate == 0 ? curve : fmt::format("{}_r{}", curve, replicate + 1);
-}
-
-}  // namespace
-
 CaseDescription UndrainedCase::description() const {
   return {"fig03_undrained",
           "Constant-volume simple shear of loose packings (Figs. 2, 3 and 4)",
@@ -80,7 +68,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
 
   const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
   const auto steps = static_cast<double>(curve.test.steps(time_step_));
-  curve.point = {point_name(name, replicate), configuration.texts(table + "figures"),
+  curve.point = {replicate_name(name, replicate), configuration.texts(table + "figures"),
                  fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,
                              curve.test.shear_rate, 100.0 * curve.test.final_strain, steps, grains),
                  steps * grains * seconds_per_grain_and_step(engine_)};
@@ -100,19 +88,8 @@ const Curve& UndrainedCase::curve(const std::string& name) const {
 void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
   const Curve& planned = curve(point.name);
   const SampleSpecification& sample = sample_of(planned);
-  out << fmt::format("# sample {}: e0 = {} +- {}, search from mu_1 = {} and a drag of {} kg/s, seed {}\n", sample.name,
-                     sample.target.void_ratio, sample.target.tolerance, sample.recipe.preparation_friction,
-                     sample.recipe.drag, sample.recipe.packing.seed);
-  out << fmt::format(
-      "# key of its first trial in the cache: {}\n",
-      cache_key(sample.recipe, preparation_engine_ + " " + make_engine(preparation_engine_, "/dev/null")->version()));
-  if (engine_ == "liggghts") {
-    Assembly assembly = lattice_packing(sample.recipe.packing);
-    assembly.cell.periodic = {true, true, false};
-    out << "# LIGGGHTS, with the box of the loose packing in place of the sample's:\n";
-    for (const auto& line : setup_commands(assembly, {material_, time_step_, 0.0})) out << line << "\n";
-    for (const auto& line : grain_commands()) out << line << "\n";
-  }
+  print_sample_plan(out, sample, preparation_engine_);
+  print_engine_plan(out, sample.recipe, engine_, time_step_);
   out << fmt::format("# {} steps of {} s, {} rows\n", planned.test.steps(time_step_), time_step_,
                      planned.test.row_steps(time_step_).size());
 }
@@ -139,7 +116,9 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
       });
 
   Result result{run.provenance, run.configuration, run.configuration_hash, series,
-                curve_metrics(series, sample_of(running).recipe.normal_stress, found)};
+                metrics_of(found)};
+  for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
+    result.metrics.push_back(metric);
   result.provenance.engine = engine->name();
   result.provenance.engine_version = engine->version();
   result.provenance.seed = seed_;

@@ -164,7 +164,7 @@ TEST(ReadCoupling, RefusesATimeStepBeyondTheLimitOfStabilityUnlessAllowed) {
   EXPECT_NO_THROW(coupling_of(with("time_step = \"1e-4 s\"", "time_step = \"12.8 ms\"")));
   const std::string sliding = coupling_complaint("time_step = \"1e-4 s\"", "time_step = \"13 ms\"");
   EXPECT_CONTAINS(sliding, "case.toml:14:13: coupling.time_step = \"13 ms\" is unstable: sliding on a sample of G = ");
-  EXPECT_CONTAINS(sliding, "allows at most 0.0129 s; choose a smaller step, or set allow_unstable = true");
+  EXPECT_CONTAINS(sliding, "allows at most 0.0129 s; choose a smaller step, or give --allow-unstable");
   // 2/(M C) at k = 1e-3 m/s and 40 MPa: 389.42/(1e-3 * 40e6) = 9.74 ms; of no interest to the exponential.
   const auto euler = [](const std::string& step, const std::string& allow) {
     std::string changed = text;

@@ -36,8 +36,8 @@ void set(Series& series, const std::string& name, std::size_t row, double value)
     if (column.name == name) column.values[row] = value;
 }
 
-std::map<std::string, double> metrics_of(const Series& series, const FoundSample& sample = {}) {
-  const auto metrics = curve_metrics(series, sigma_0, sample);
+std::map<std::string, double> metrics_of(const Series& series) {
+  const auto metrics = curve_metrics(series, sigma_0);
   EXPECT_NO_THROW(check_metrics(metrics));  // else the result of a whole run could not be written
   std::map<std::string, double> values;
   for (const Metric& metric : metrics) values[metric.name] = metric.value;
@@ -123,21 +123,6 @@ TEST(CurveMetrics, TellTheSuddenStartFromTheRest) {
 TEST(CurveMetrics, HoldTheFormulasAgainstEachOther) {
   EXPECT_NEAR(metrics_of(curve()).at("bagi_nicot_difference"), 9.0 / 3000.0, rounding);  // 9 Pa, at 7 %
   EXPECT_NEAR(metrics_of(curve(5)).at("bagi_nicot_difference"), 6.0 / 3000.0, rounding);
-}
-
-TEST(CurveMetrics, DescribeTheSample) {
-  FoundSample sample;
-  sample.sample.void_ratio = 0.79;
-  sample.sample.bulk_void_ratio = 0.75;
-  sample.recipe.preparation_friction = 0.42;
-  sample.recipe.drag = 0.07;
-  sample.trials = 4;
-  const auto metrics = metrics_of(curve(), sample);
-  EXPECT_EQ(metrics.at("initial_void_ratio"), 0.79);
-  EXPECT_EQ(metrics.at("initial_bulk_void_ratio"), 0.75);
-  EXPECT_EQ(metrics.at("preparation_friction"), 0.42);
-  EXPECT_EQ(metrics.at("preparation_drag"), 0.07);
-  EXPECT_EQ(metrics.at("preparation_trials"), 4.0);
 }
 
 TEST(CurveMetrics, LeaveOutWhatAShortCurveDoesNotHave) {

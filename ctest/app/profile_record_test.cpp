@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/profile_record.hpp"
+
+#include "app/error.hpp"
+#include "app/messages.hpp"
+#include "dem/make_engine.hpp"
+#include "grains/packing.hpp"
+#include "sample/glued_layers.hpp"
+
+namespace flowslide {
+namespace {
+
+Series profile(const std::vector<double>& values) {
+  Series series;
+  series.axis.values = {0.1, 0.3, 0.5, 0.7, 0.9};
+  series.columns = {{"velocity_1", "v", "1", "velocity", "", values}};
+  return series;
+}
+
+TEST(ProfileRecord, MeasuresHowStraightAProfileIs) {
+  EXPECT_NEAR(linearity(profile({1.0, 3.0, 5.0, 7.0, 9.0}), "velocity_1"), 1.0, 1e-14);
+  // Sums of squares about the means: 0.4, 0.8 and xy = 0.4 give 0.16 / 0.32.
+  EXPECT_NEAR(linearity(profile({0.0, 0.0, 0.0, 0.0, 1.0}), "velocity_1"), 0.5, 1e-14);
+}
+
+TEST(ProfileRecord, ReadsItsPlan) {
+  const auto configuration = Configuration::from_text(
+      "[profiles]\nsublayers = 5\nsnapshots = 3\nwindow = 0.02\n[point.a]\nprofile_strains = [0.01, 0.5]\n"
+      "[point.b]\nprofile_strains = [0.5, 0.5]\n");
+  const ProfilePlan plan = read_profile_plan(configuration, "point.a.profile_strains");
+  EXPECT_EQ(plan.sublayers, 5);
+  EXPECT_EQ(plan.snapshots, 3);
+  EXPECT_EQ(plan.window, 0.02);
+  EXPECT_EQ(plan.strains, (std::vector{0.01, 0.5}));
+  EXPECT_TRUE(read_profile_plan(configuration, "point.c.profile_strains").strains.empty());
+  EXPECT_CONTAINS(
+      message_of<ConfigurationError>([&] { read_profile_plan(configuration, "point.b.profile_strains"); }),
+      "the strains do not grow");
+}
+
+/// Loose grains between glued layers, moving as simple shear does.
+class ProfileRecordOfGrains : public testing::Test {
+ protected:
+  ProfileRecordOfGrains() : engine_(make_engine("native", "/dev/null")) {
+    LatticePacking recipe;
+    recipe.counts = {5, 5, 6};
+    Assembly assembly = lattice_packing(recipe);
+    assembly.cell.periodic = {true, true, false};
+    glue_layers(assembly, 2e-3);
+    sample_ = std::make_unique<DemSample>(*engine_, assembly, EngineSettings{Material{}, 1e-6, 0.0});
+    sample_->start_linear_velocity_field(2.0);
+    sample_->strain({{2.0, 0.0}, 1, 1e-6});
+  }
+  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<DemSample> sample_;
+};
+
+TEST_F(ProfileRecordOfGrains, TakesSnapshotsWhenTheyAreDue) {
+  ProfileRecord record({3, 2, 0.2, {0.1, 0.5}});
+  for (const double strain : {0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.45, 0.5, 0.55}) record.take(strain, *sample_);
+  Series series = record.series();
+  ASSERT_EQ(series.columns.size(), 3U);  // the second profile waits for its last snapshot
+  record.take(0.6, *sample_);
+  series = record.series();
+  ASSERT_EQ(series.columns.size(), 6U);
+  EXPECT_EQ(series.axis.values, (std::vector{0.5 / 3.0, 1.5 / 3.0, 2.5 / 3.0}));
+  EXPECT_EQ(series.columns[3].name, "velocity_2");
+}
+
+TEST_F(ProfileRecordOfGrains, GivesVelocityAsAShareOfTheTop) {
+  ProfileRecord record({3, 1, 0.0, {0.0}});
+  record.take(0.0, *sample_);
+  const Series series = record.series();
+  const std::vector<double>& velocity = series.column("velocity_1").values;
+  const double half_a_grain = 0.5 / 6.0;  // of the height: what a sublayer holds is not spread evenly over it
+  for (std::size_t layer = 0; layer < 3; ++layer)
+    EXPECT_NEAR(velocity[layer], series.axis.values[layer], half_a_grain);
+  EXPECT_GT(linearity(series, "velocity_1"), 0.99);
+}
+
+}  // namespace
+}  // namespace flowslide

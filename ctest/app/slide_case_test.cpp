@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Cases that slide, as whole programs: on a closed-form sample in place of grains, and once on grains.
+#include "app/slide_case.hpp"
+
+#include <stdlib.h>
+
+#include "app/messages.hpp"
+#include "app/slide_case_text.hpp"
+#include "record/gnuplot_table.hpp"
+
+namespace flowslide {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TestCase : public SlideCase {
+ public:
+  explicit TestCase(const fs::path& folder) : SlideCase({"test_case", "A slide", "1", {"Fig. 12"}, {}}, folder) {}
+
+ protected:
+  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override {
+    return {{"distance", outcome.series.column("displacement").values.back(), "m", "sliding distance"},
+            {"nothing", std::nan(""), "1", "never there"},
+            {"profiles", static_cast<double>(outcome.profiles.columns.size()), "1", "columns of profiles"},
+            {"replicate", static_cast<double>(outcome.point.replicate), "1", "number of the replicate"}};
+  }
+  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override {
+    metrics["slides"] = static_cast<double>(slides.size());
+  }
+  std::vector<std::string> abscissas() const override { return {"time", "displacement"}; }
+};
+
+class SlideProgram : public testing::Test {
+ protected:
+  SlideProgram() {
+    ::setenv("FLOWSLIDE_CACHE", (scratch_.path() / "cache").c_str(), 1);
+    scratch_.write("case.toml", slide_case_text() + "[scale.quick]\n");
+    scratch_.write("claims.toml", R"([[claim]]
+id = "all_there"
+figure = "Fig. 12"
+sentence = "There are slides."
+metric = "slides"
+relation = ">"
+threshold = 0
+unit = "1"
+origin = "published"
+)");
+  }
+  ~SlideProgram() override { ::unsetenv("FLOWSLIDE_CACHE"); }
+
+  int run(std::vector<std::string> options) {
+    options.insert(options.end(), {"--output", output().string()});
+    std::vector<const char*> words{"test_case"};
+    for (const std::string& option : options) words.push_back(option.c_str());
+    TestCase the_case(scratch_.path());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int code = run_case(the_case, static_cast<int>(words.size()), words.data(), scratch_.path());
+    text_ = testing::internal::GetCapturedStdout();
+    error_ = testing::internal::GetCapturedStderr();
+    return code;
+  }
+  fs::path output() const { return scratch_.path() / "out"; }
+
+  ScratchFolder scratch_;
+  std::string text_, error_;
+};
+
+TEST_F(SlideProgram, RunsEveryReplicateAndWritesBands) {
+  ASSERT_EQ(run({}), 0) << error_;
+  for (const char* name : {"RD", "RD_r2", "RD_r3", "RI", "RI_r2", "RI_r3"})
+    EXPECT_EQ(read_result(output() / (std::string(name) + ".h5")).provenance.engine, "elastic") << name;
+  EXPECT_EQ(read_result(output() / "RD_r3.h5").provenance.replicate, 2);
+  const Series band = read_table(output() / "RD_over_time.dat").series;
+  EXPECT_EQ(band.columns.front().name, "displacement_median");
+  // Three equal samples: no spread, and the median is the slide.
+  EXPECT_EQ(band.column("velocity_lowest").values, band.column("velocity_highest").values);
+  EXPECT_TRUE(fs::exists(output() / "RI_over_displacement.dat"));
+}
+
+TEST_F(SlideProgram, GathersMetricsOfPointsSlidesAndAll) {
+  ASSERT_EQ(run({}), 0) << error_;
+  TestCase the_case(scratch_.path());
+  the_case.read(Configuration({scratch_.path() / "case.toml", "quick", {}, {}}));
+  const auto metrics = the_case.metrics(output(), {"RD", "RD_r2", "RI"});
+  EXPECT_EQ(metrics.at("RD_r2.replicate"), 1.0);
+  EXPECT_EQ(metrics.at("RD.replicate.mean"), 0.5);
+  EXPECT_EQ(metrics.at("RD.distance"), metrics.at("RD.distance.median"));
+  EXPECT_EQ(metrics.at("slides"), 2.0);
+  EXPECT_FALSE(metrics.contains("RD.nothing"));
+}
+
+TEST_F(SlideProgram, PlansWithoutWriting) {
+  ASSERT_EQ(run({"--dry-run", "--engine", "liggghts", "--point", "RD_r2"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "seed 1001\n");
+  EXPECT_CONTAINS(text_, "pair_style");
+  EXPECT_CONTAINS(text_, "# 40000 global steps of 0.0001 s, about 4e+05 local steps of 1e-05 s\n");
+  EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
+  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
+                 "point.RD.profile_strains=[0]", "--set", "profiles.window=0"}), 0) << error_;
+  const Result result = read_result(output() / "RD_r2.h5");
+  EXPECT_EQ(result.provenance.engine, "native");
+  EXPECT_EQ(values_of({result}, "profiles"), std::vector{3.0});
+  EXPECT_GT(values_of({result}, "initial_void_ratio").at(0), 0.5);
+  EXPECT_EQ(read_table(output() / "RD_r2_profiles.dat").series.rows(), 4U);
+  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
+                 "point.RD.profile_strains=[0]", "--set", "profiles.window=0", "--check"}), 0) << error_;
+  EXPECT_TRUE(fs::exists(output() / "RD_profiles_band.dat"));
+}
+
+TEST_F(SlideProgram, RefusesUnstableStepsUnlessToldOtherwise) {
+  // omega = sqrt(G/(h_s m)) with G = 40 MPa: 2/omega = 7.87e-3 s.
+  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3"}), 2);
+  EXPECT_CONTAINS(error_, "2/omega, allows at most 0.00787 s");
+  EXPECT_CONTAINS(error_, "--allow-unstable");
+  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3", "--allow-unstable"}), 0) << error_;
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/slide_point.hpp"
+
+#include "app/error.hpp"
+#include "app/messages.hpp"
+#include "app/slide_case_text.hpp"
+
+namespace flowslide {
+namespace {
+
+SlidePoint read(const std::string& text, const std::string& name, int replicate = 0,
+                const std::string& engine = "native") {
+  const auto configuration = Configuration::from_text(text);
+  const SlopeProperties slope = read_slope(configuration);
+  const auto samples = read_samples(configuration, slope, read_material(configuration), replicate);
+  return read_slide_point(configuration, name, replicate, samples, slope, engine, "/nowhere");
+}
+
+TEST(SlidePoint, TakesItsSchemeOverTheCouplingOfAll) {
+  const SlidePoint point = read(slide_case_text(), "RI");
+  EXPECT_TRUE(std::holds_alternative<ConstantInertialNumber>(point.settings.rate));
+  EXPECT_TRUE(std::holds_alternative<WholeIncrement>(point.settings.passing.rule));
+  EXPECT_EQ(point.settings.time_step, 1e-4);
+  EXPECT_EQ(point.settings.passing.time_step, 1e-5);
+  EXPECT_EQ(point.point.figures, std::vector<std::string>{"12"});
+}
+
+TEST(SlidePoint, OverridesWhatItNames) {
+  const SlidePoint point = read(slide_case_text() + R"([point.own]
+figures = "13"
+sample = "loose"
+scheme = "RD"
+hydraulic_conductivity = "1e-4 m/s"
+profile_strains = [0.1]
+coupling.time_step = "2e-4 s"
+loading.amplitude = "5 kPa"
+stop.end_time = "9 s"
+rows.row_interval = "1 s"
+)", "own");
+  EXPECT_EQ(point.settings.time_step, 2e-4);
+  EXPECT_EQ(std::get<SinePulse>(point.settings.loading).amplitude, 5e3);
+  EXPECT_EQ(point.settings.slope.hydraulic_conductivity, 1e-4);
+  EXPECT_EQ(point.stop.end_time, 9.0);
+  EXPECT_EQ(point.rows.interval, 1.0);
+  EXPECT_EQ(point.profiles.strains, std::vector{0.1});
+}
+
+TEST(SlidePoint, HasASampleOfItsOwnInEveryReplicate) {
+  EXPECT_EQ(read(slide_case_text(), "RI").point.name, "RI");
+  const SlidePoint third = read(slide_case_text(), "RI", 2);
+  EXPECT_EQ(third.point.name, "RI_r3");
+  EXPECT_EQ(third.name, "RI");
+  EXPECT_NE(third.sample.recipe.packing.seed, read(slide_case_text(), "RI").sample.recipe.packing.seed);
+}
+
+TEST(SlidePoint, PredictsItsStepsOnASampleWithoutStrength) {
+  // RD runs at the clock of the slope: 4 s in steps of 1e-5 s.
+  const SlidePoint global = read(slide_case_text(), "RD");
+  EXPECT_NEAR(predicted_steps(global.settings, global.stop), 4e5, 1e3);
+  EXPECT_GT(global.point.predicted_seconds, 0.0);
+  EXPECT_EQ(read(slide_case_text(), "RD", 0, "elastic").point.predicted_seconds, 0.0);
+  // RI at the floor of 2 1/s: x = tau_0 t^2/(2m), and the pulse adds A T/(pi m) (2 (t - T/2)) from its end on.
+  const SlidePoint slow = read(slide_case_text(), "RI");
+  const double mass = mass_per_area(slow.settings.slope), shear = initial_shear_stress(slow.settings.slope);
+  const double distance = 0.5 * shear * 16.0 / mass + 3e3 * 2.0 / 3.14159265 / mass * 2.0 * 3.0;
+  EXPECT_NEAR(predicted_steps(slow.settings, slow.stop), distance / 0.2 / 2.0 / 1e-5, 0.05 * distance / 4e-6);
+}
+
+TEST(SlidePoint, RefusesWhatIsNotThere) {
+  const auto complaint = [](const std::string& more) {
+    return message_of<ConfigurationError>([&] { read(slide_case_text() + more, "bad"); });
+  };
+  const std::string start = "[point.bad]\nfigures = \"12\"\n";
+  EXPECT_CONTAINS(complaint(start + "sample = \"lose\"\nscheme = \"RD\"\n"), "did you mean \"loose\"?");
+  EXPECT_CONTAINS(complaint(start + "sample = \"loose\"\nscheme = \"RDD\"\n"), "did you mean \"RD\"?");
+  EXPECT_CONTAINS(
+      complaint(start + "sample = \"loose\"\nscheme = \"RD\"\ncoupling.local_time_step = \"2e-5 s\"\n"),
+      "point.bad.coupling.local_time_step");
+  EXPECT_CONTAINS(complaint(start + "sample = \"loose\"\nscheme = \"RD\"\nhydraulic_conductivity = \"-1 m/s\"\n"),
+                  "it must be at least 0 m/s");
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/tables.hpp"
+
+#include "app/error.hpp"
+#include "app/messages.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr const char* text = R"([coupling]
+time_step = 1e-4
+n_accum = 10
+[point.near.coupling]
+time_step = 1e-5
+)";
+
+TEST(Tables, ReadAKeyFromTheFirstTableThatHasIt) {
+  const auto configuration = Configuration::from_text(text);
+  const Tables tables(configuration, {"point.near.coupling", "coupling"});
+  EXPECT_EQ(tables.number("time_step", Range::positive()), 1e-5);
+  EXPECT_EQ(tables.integer("n_accum", Range::positive()), 10);
+  EXPECT_EQ(tables.key("time_step"), "point.near.coupling.time_step");
+  EXPECT_EQ(tables.key("n_accum"), "coupling.n_accum");
+  EXPECT_FALSE(tables.has("rate"));
+  EXPECT_NO_THROW(configuration.reject_unknown());  // the key that is overridden is known, too
+}
+
+TEST(Tables, MissAKeyInTheLast) {
+  const auto configuration = Configuration::from_text(text);
+  const Tables tables(configuration, {"point.near.coupling", "coupling"});
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.positive("rate", dimension::rate); }), "coupling.rate");
+}
+
+TEST(Tables, NameTheTableOfAValueThatIsRefused) {
+  const auto configuration = Configuration::from_text(text);
+  const Tables tables(configuration, {"point.near.coupling", "coupling"});
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.number("time_step", Range::at_least(1.0)); }),
+                  "text:5:13: point.near.coupling.time_step");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.refuse("n_accum", "is odd", "make it even"); }),
+                  "coupling.n_accum = 10 is odd");
+}
+
+TEST(Tables, AcceptKeysInEach) {
+  const auto configuration = Configuration::from_text(text);
+  Tables(configuration, {"point.near.coupling", "coupling"}).accept({"time_step", "n_accum"});
+  EXPECT_NO_THROW(configuration.reject_unknown());
+}
+
+}  // namespace
+}  // namespace flowslide
