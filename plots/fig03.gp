@@ -3,11 +3,12 @@
 points = "e0_790 e0_771 e0_765 e0_751"   # loose to dense
 tables = "e0_790.dat e0_771.dat e0_765.dat e0_751.dat legend.dat"
 command = "./reproduce fig03"
-script = ARG0; folder = ARG1; picture = ARG2
+script = ARG0; folder = ARG1; picture = ARG2; beside = ARG3
 load script[1:strlen(script) - strlen("fig03.gp")]."style.gp"
 
 array colour[4] = [vermillion, orange, sky, blue]
 table(i) = data(word(points, i).".dat")
+other_table(i) = other(word(points, i).".dat")
 threshold = 1e-3   # of the inertial number: a flow is quasi-static well below it
 
 do for [format in "png pdf"] {
@@ -25,7 +26,9 @@ do for [format in "png pdf"] {
   set offsets 0, 0, graph 0.1, 0        # room for the key
   set key at graph 0, 1.02 left top Left reverse
   plot for [i = 1:4] table(i) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
-    with lines linewidth 1.2 linecolor rgb colour[i] title label_of(word(points, i))
+    with lines linewidth 1.2 linecolor rgb colour[i] title label_of(word(points, i)), \
+    for [i = 1:4*others] other_table(i) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
+    with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : ""
 
   set lmargin at screen 0.39; set rmargin at screen 0.63
   set title panel("B", "stress-strain response")
@@ -34,7 +37,9 @@ do for [format in "png pdf"] {
   set offsets 0, 0, graph 0.75, 0       # room for the inset
   unset key
   plot for [i = 1:4] table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
-    with lines linewidth 1.2 linecolor rgb colour[i] notitle
+    with lines linewidth 1.2 linecolor rgb colour[i] notitle, \
+    for [i = 1:4*others] other_table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
+    with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle
 
   set lmargin at screen 0.745; set rmargin at screen 0.985
   set offsets

@@ -3,13 +3,14 @@
 points = "I_1e-4 I_2e-2"
 tables = "I_1e-4.dat I_2e-2.dat legend.dat"
 command = "./reproduce fig04"
-script = ARG0; folder = ARG1; picture = ARG2
+script = ARG0; folder = ARG1; picture = ARG2; beside = ARG3
 load script[1:strlen(script) - strlen("fig04.gp")]."style.gp"
 
 array colour[2] = [blue, vermillion]
 array mark[2] = [6, 4]
 bagi_shear = 8; bagi_normal = 9; nicot_shear = 10; nicot_normal = 11
 table(i) = data(word(points, i).".dat")
+other_table(i) = other(word(points, i).".dat")
 # Some thirty marks a curve, so that the line below stays visible.
 array step[2]
 do for [i = 1:2] {
@@ -30,6 +31,8 @@ do for [format in "png pdf"] {
   set key at graph 0.02, 1 left top Left reverse
   plot for [i = 1:2] table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
+       for [i = 1:2*others] other_table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
+         with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : "", \
        for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal)):(kilo * column(nicot_shear)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
 
@@ -39,6 +42,8 @@ do for [format in "png pdf"] {
   unset key
   plot for [i = 1:2] table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
+       for [i = 1:2*others] other_table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
+         with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle, \
        for [i = 1:2] table(i) every step[i] using (percent * column(column_strain)):(kilo * column(nicot_shear)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
 

@@ -8,12 +8,16 @@ if (picture eq "") {
   exit status 2
 }
 data(name) = folder."/".name
+# A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
+if (!exists("beside")) beside = ""
+others = beside eq "" ? 0 : 1
+other(name) = beside."/".name
 shell_quoted(s) = "'".escaped(s)."'"
 escaped(s) = strstrt(s, "'") == 0 ? s : s[1:strstrt(s, "'") - 1]."'\\''".escaped(s[strstrt(s, "'") + 1:*])
 readable(file) = int(system("test -s ".shell_quoted(file)." && echo 1 || echo 0"))
 do for [table in tables] {
-  if (!readable(data(table))) {
-    print sprintf("%s: no table %s. Make it with: %s", script, data(table), command)
+  if (!readable(data(table)) || (others && !readable(other(table)))) {
+    print sprintf("%s: no table %s. Make it with: %s", script, readable(data(table)) ? other(table) : data(table), command)
     exit status 2
   }
 }
@@ -21,6 +25,8 @@ do for [table in tables] {
 # Labels of the curves: DATADIR/legend.dat, lines of `point<TAB>label`. A point that it does not name keeps its own name.
 label_of(point) = system("awk -F'\t' -v p=".shell_quoted(point).\
   " '$1 == p {l = $2} END {printf \"%s\", l == \"\" ? p : l}' ".shell_quoted(data("legend.dat")))
+
+other_label = others ? "dashed: ".system("basename -- ".shell_quoted(beside)) : ""
 
 # Columns of a shear run's table, SI units.
 column_strain = 2
