@@ -17,7 +17,7 @@ namespace {
 constexpr double step = 1e-6;
 
 Assembly run(const Assembly& start, const EngineSettings& settings, int steps) {
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(start, settings);
   engine.run(steps);
   return engine.save();
@@ -91,7 +91,7 @@ TEST(Invariants, EnergyIsKeptWithoutDashpotsToTheOrderOfTheScheme) {
   const double before = energy(cloud);
   double drift[2] = {0.0, 0.0};
   for (const int fine : {0, 1}) {
-    NativeEngine engine;
+    DoubleEngine engine;
     const double time_step = fine ? 0.5 * step : step;
     engine.load(cloud, {m, time_step, 0.0});
     for (int part = 0; part < 50; ++part) {
@@ -107,7 +107,7 @@ TEST(Invariants, EnergyIsKeptWithoutDashpotsToTheOrderOfTheScheme) {
 TEST(Invariants, EnergyNeverGrowsWithDashpots) {
   const Material m = frictionless(0.8);
   Assembly cloud = with_forces(clustered_cloud(13, cube(0.04, true), {.grains = 80, .overlap = 0.003}), m);
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(cloud, {m, 0.1 * step, 0.0});
   double before = energy(cloud);
   const double start = before;
@@ -126,7 +126,7 @@ TEST(Invariants, FrictionAndRollingOnlyTakeEnergy) {
   const Assembly cloud = with_forces(
       clustered_cloud(14, cube(0.04, true), {.grains = 80, .overlap = 0.003, .spring = 0.0, .torque = 0.0}), m);
   const double start = energy(cloud);
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(cloud, {m, 0.1 * step, 0.0});
   for (int part = 0; part < 100; ++part) {
     engine.run(200);

@@ -62,7 +62,7 @@ struct Impact {
 };
 
 Impact impact(const Material& m, double speed, double time_step) {
-  NativeEngine engine;
+  DoubleEngine engine;
   Assembly pair = two_grains(0.0);
   pair.velocity[0] = -0.25 * speed * normal_of(pair);
   pair.velocity[1] = 0.75 * speed * normal_of(pair);
@@ -123,7 +123,7 @@ TEST(LawAlone, ObliqueImpactKeepsMomentumAndAngularMomentum) {
   };
   Vector3 angular_before, angular_after;
   const Vector3 before = momentum(pair, angular_before);
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(pair, {m, 1e-7, 0.0});
   engine.run(2000);
   const Assembly after = engine.save();
@@ -161,7 +161,7 @@ TEST(LawAlone, RollingBelowItsCapIsADampedOscillator) {
   const double period = 2.0 * std::numbers::pi / damped;
   const auto error_at = [&](int steps_in_period) {
     const double time_step = period / steps_in_period;
-    NativeEngine engine;
+    DoubleEngine engine;
     engine.load(column(overlap, {start, 0.0, 0.0}), {m, time_step, 0.0});
     double error = 0.0;
     for (int part = 1; part <= 16; ++part) {
@@ -185,7 +185,7 @@ TEST(LawAlone, RollingAtItsCapSlowsEvenlyAndThenComesToRest) {
   const PairConstants pair = pair_constants(m, 3e-3, 2e-3);
   const double slope = 2.0 * m.rolling_friction * normal_force(pair, overlap, 0.0) * pair.effective_radius /
                        sphere_inertia(3e-3, m);  // rad/s^2
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(column(overlap, {3000.0, 0.0, 0.0}), {m, time_step, 0.0});
   engine.run(1000);  // the spring has reached its cap
   const double first = engine.save().spin[1].x();
@@ -203,7 +203,7 @@ TEST(LawAlone, SlidingSurfaceSlowsEvenlyByCoulombAndTwistingIsFree) {
   const double overlap = 1e-5, time_step = 1e-7;
   const double force = normal_force(pair_constants(m, 3e-3, 2e-3), overlap, 0.0);
   const double slope = 2.0 * m.sliding_friction * force * (3e-3 - 0.5 * overlap) / sphere_inertia(3e-3, m);
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(column(overlap, {0.0, 2000.0, 50.0}), {m, time_step, 0.0});
   engine.run(200);
   const double first = engine.save().spin[1].y();
@@ -219,7 +219,7 @@ double position_after(const Material& m, int steps) {
   Assembly pair = two_grains(2e-5);
   const GrainForces forces = sum_on_grains(evaluate_contact_forces(pair, m, 0.0), 2);
   pair.force = forces.force;
-  NativeEngine engine;
+  DoubleEngine engine;
   engine.load(pair, {m, 8e-6 / steps, 0.0});
   engine.run(steps);
   EXPECT_GT(overlap_of(engine.save()), 1e-6);  // still in touch: parting is not smooth

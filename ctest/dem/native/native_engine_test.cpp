@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <thread>
 
-#include "grains/contact_search.hpp"
-#include "pair_search.hpp"
-#include "support/touching_lattice.hpp"
+#include "same_bits.hpp"
+#include "support/clustered_cloud.hpp"
 
 namespace flowslide {
 namespace {
@@ -18,69 +17,12 @@ namespace {
 constexpr double step = 2e-6;
 const EngineSettings settings{Material{}, step, 0.0};
 
-/// Sheared fast enough for contacts to open and close and for grains to cross the periodic faces.
-BoundaryMotion shear(double speed) { return {Vector3::Zero(), {speed, 0.3 * speed, -0.01}, 0.1, -0.1}; }
-
-void expect_same_bits(const Assembly& a, const Assembly& b) {
-  ASSERT_EQ(a.size(), b.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    different += a.position[i] != b.position[i] || a.velocity[i] != b.velocity[i] || a.spin[i] != b.spin[i] ||
-                 a.force[i] != b.force[i] || a.torque[i] != b.torque[i];
-  EXPECT_EQ(different, 0u) << "of " << a.size() << " grains";
-  ASSERT_EQ(a.contacts.size(), b.contacts.size());
-  for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-    EXPECT_EQ(a.contacts[c].first, b.contacts[c].first);
-    EXPECT_EQ(a.contacts[c].second, b.contacts[c].second);
-    EXPECT_EQ(a.contacts[c].tangential_spring, b.contacts[c].tangential_spring);
-    EXPECT_EQ(a.contacts[c].rolling_torque, b.contacts[c].rolling_torque);
-  }
-}
-
-Assembly sheared(double skin, double speed, int steps) {
-  NativeEngine engine(skin);
-  engine.load(touching_lattice(), settings);
-  engine.move(shear(speed));
-  engine.run(steps);
-  return engine.save();
-}
-
-TEST(NativeEngine, GivesTheSameBitsAgainAndForAnySkin) {
-  const Assembly first = sheared(0.01, 1.0, 1000);
-  expect_same_bits(first, sheared(0.01, 1.0, 1000));
-  for (const double skin : {0.002, 0.03, 0.1}) expect_same_bits(first, sheared(skin, 1.0, 1000));
-}
-
-TEST(NativeEngine, GivesTheSameBitsForAnySkinWhenGrainsCrossTheFacesOfTheCell) {
-  const Assembly start = touching_lattice(), first = sheared(0.01, 4.0, 2000);
-  std::size_t crossed = 0;
-  for (std::size_t i = 0; i < start.size(); ++i)
-    crossed += std::abs(first.position[i].x() - start.position[i].x()) > 0.02;
-  ASSERT_GT(crossed, 3u);
-  for (const double skin : {0.002, 0.03, 0.1}) expect_same_bits(first, sheared(skin, 4.0, 2000));
-}
-
-TEST(NativeEngine, ManyShortRunsGiveTheBitsOfOneLongRun) {
-  NativeEngine whole, parts;
-  for (NativeEngine* engine : {&whole, &parts}) {
-    engine->load(touching_lattice(), settings);
-    engine->move(shear(1.0));
-  }
-  whole.run(60);
-  for (int i = 0; i < 20; ++i) parts.run(3);
-  expect_same_bits(whole.save(), parts.save());
-  EXPECT_EQ(whole.cell_stress().normal, parts.cell_stress().normal);
-  EXPECT_EQ(whole.cell_stress().lateral_x, parts.cell_stress().lateral_x);
-  parts.run(0);
-  expect_same_bits(whole.save(), parts.save());
-}
-
 TEST(NativeEngine, LoadsWhatItSavedAndKnowsItsStress) {
   Assembly boxed = clustered_cloud(21, cube(0.03, false), {.grains = 100});
   boxed.cell.upper.setConstant(-0.015);
   for (std::size_t i = 0; i < boxed.size(); ++i)  // planes that touch the outermost grain of each axis
     boxed.cell.upper = boxed.cell.upper.cwiseMax((boxed.position[i].array() + 0.99 * boxed.radius[i]).matrix());
-  NativeEngine engine, again;
+  DoubleEngine engine, again;
   const EngineSettings dragged{Material{}, 1e-7, 0.1};
   engine.load(boxed, dragged);
   engine.run(3);
@@ -95,7 +37,7 @@ TEST(NativeEngine, LoadsWhatItSavedAndKnowsItsStress) {
 }
 
 TEST(NativeEngine, RefusesAPeriodicCellTooSmallForItsGrains) {
-  NativeEngine engine;
+  DoubleEngine engine;
   Assembly pair = clustered_cloud(1, cube(0.04, true), {.grains = 2, .smallest = 3e-3, .largest = 3e-3});
   EXPECT_NO_THROW(engine.load(pair, settings));
   for (int axis = 0; axis < 3; ++axis) {
@@ -111,7 +53,7 @@ TEST(NativeEngine, RefusesAPeriodicCellTooSmallForItsGrains) {
 }
 
 TEST(NativeEngine, NoticesGrainsOutsideItsPlanesAndLostNumbers) {
-  NativeEngine engine;
+  DoubleEngine engine;
   Assembly cloud = clustered_cloud(2, cube(0.1, false), {.grains = 10});
   engine.load(cloud, settings);
   EXPECT_EQ(engine.count_grains(), 10u);
@@ -132,84 +74,56 @@ TEST(NativeEngine, NoticesGrainsOutsideItsPlanesAndLostNumbers) {
   EXPECT_EQ(engine.count_grains(), 9u);
 }
 
-/// Pairs that touch, by looking at every one.
-std::vector<TouchingPair> every_touching_pair(const Assembly& a) {
-  std::vector<TouchingPair> pairs;
-  for (std::uint32_t i = 0; i < a.size(); ++i)
-    for (std::uint32_t j = i + 1; j < a.size(); ++j)
-      if (!in_one_layer(a, i, j) &&
-          a.cell.nearest_image(a.position[i] - a.position[j]).norm() < a.radius[i] + a.radius[j])
-        pairs.push_back({i, j});
-  return pairs;
-}
-
-/// Two grains just beyond the skin that approach as fast as the bound on their approach allows.
-void expect_found_in_time(Assembly pair, const BoundaryMotion& motion, const char* how) {
-  constexpr double skin = 0.02, time_step = 1e-6;
-  NativeEngine engine(skin);
-  engine.load(pair, {Material{}, time_step, 0.0});
-  engine.move(motion);
-  for (int s = 0; s < 200; ++s) {
-    engine.run(1);
-    const Assembly now = engine.save();
-    const auto touching = every_touching_pair(now);
-    ASSERT_EQ(now.contacts.size(), touching.size()) << how << ", step " << s;
-    if (!touching.empty()) return;
-  }
-  FAIL() << how << ": they never met";
-}
-
-TEST(NativeEngine, FindsPairsThatMeetHeadOnOrCarriedByTheBoundaries) {
-  Assembly pair = clustered_cloud(1, cube(0.04, false), {.grains = 2, .smallest = 3e-3, .largest = 3e-3});
-  pair.cell.periodic = {true, true, false};
-  pair.contacts.clear();
-  for (Vector3& spin : pair.spin) spin.setZero();
-  const auto apart = [&](const Vector3& direction, const Vector3& velocity) {
-    Assembly both = pair;
-    const Vector3 half = 0.5 * (6e-3 + 1.05 * 0.02 * 6e-3) * direction.normalized();
-    both.position = {-half, half};
-    both.velocity = {velocity, -velocity};
-    return both;
+TEST(NativeEngine, ChoosesItsThreadsAndRefusesWhatItCannotDo) {
+  EXPECT_THROW(DoubleEngine({.threads = -1}), EngineError);
+  EXPECT_THROW(MixedEngine({.threads = -2}), EngineError);
+  const auto threads_of = [](int threads, const Assembly& assembly) {
+    MixedEngine engine({.threads = threads});
+    engine.load(assembly, settings);
+    return engine.threads();
   };
-  expect_found_in_time(apart({1, 0, 0}, {1, 0, 0}), {}, "head on");
-  const Vector3 still = Vector3::Zero();
-  expect_found_in_time(apart({1, 0, 0}, still), {still, still, 500.0, 0.0}, "compressed along x");
-  expect_found_in_time(apart({0, 1, 0}, still), {still, still, 0.0, 500.0}, "compressed along y");
-  // Both move with the mean flow, so that nothing but its gradient brings them together.
-  const Vector3 top(40.0, 0.0, 0.0);
-  Assembly carried = apart({1, 0, -1}, still);
-  for (std::size_t i = 0; i < 2; ++i) carried.velocity[i] = (carried.position[i].z() + 0.02) / 0.04 * top;
-  expect_found_in_time(carried, {still, top, 0.0, 0.0}, "sheared");
+  EXPECT_EQ(threads_of(0, touching_lattice()), 1);  // fewer than 10 000 grains
+  EXPECT_EQ(threads_of(2, touching_lattice()), 2);
+  EXPECT_EQ(threads_of(100, touching_lattice()), 4);  // a block of 64 grains for each
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  EXPECT_EQ(threads_of(0, touching_lattice(22, 22)), std::max(1, cores));
+  DoubleEngine engine({.instruction_set = "sse"});
+  EXPECT_THROW(engine.load(touching_lattice(), settings), std::invalid_argument);
 }
 
-TEST(NativeEngine, LosesNoPairOfTenThousandRandomCloudsInMotion) {
-  std::size_t contacts = 0, fresh = 0;
-  for (std::uint64_t seed = 0; seed < 10000; ++seed) {
-    Assembly cloud = native::fuzzed_cloud(seed);
-    Dice dice(seed);
-    const double speed = dice.between(0.0, 4.0);
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      if (cloud.role[i] == Role::mobile) cloud.velocity[i] = dice.vector(speed);
-    NativeEngine engine(dice.between(0.002, 0.1));
-    engine.load(cloud, {Material{}, 1e-6, 0.0});
-    engine.move({dice.vector(0.5), dice.vector(0.5), dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)});
-    engine.run(1 + static_cast<int>(dice.below(60)));
-    const Assembly now = engine.save();
-    for (const Vector3& x : now.position) ASSERT_TRUE(x.allFinite()) << "seed " << seed;
-    const auto expected = every_touching_pair(now);
-    ASSERT_EQ(now.contacts.size(), expected.size()) << "seed " << seed;
-    for (std::size_t c = 0; c < expected.size(); ++c) {
-      ASSERT_EQ(now.contacts[c].first, expected[c].first) << "seed " << seed;
-      ASSERT_EQ(now.contacts[c].second, expected[c].second) << "seed " << seed;
-      fresh += std::none_of(cloud.contacts.begin(), cloud.contacts.end(), [&](const ContactHistory& known) {
-        return known.first == expected[c].first && known.second == expected[c].second;
-      });
-    }
-    contacts += expected.size();
+TEST(NativeEngine, NamesItsPrecisionAndItsArithmetic) {
+  using native::Arithmetic;
+  EXPECT_EQ(DoubleEngine().name(), "native");
+  EXPECT_EQ(DoubleEngine({.arithmetic = Arithmetic::fused}).name(), "native-fused");
+  EXPECT_EQ(MixedEngine({.arithmetic = Arithmetic::fused}).name(), "native-mixed");
+}
+
+TEST(NativeEngine, TakesAnotherAssemblyOfAnotherSize) {
+  DoubleEngine engine({.threads = 3}), fresh({.threads = 3});
+  engine.load(touching_lattice(), settings);
+  engine.run(7);
+  for (const Assembly& other : {clustered_cloud(5, cube(0.04, true), {.grains = 20}), touching_lattice(7, 8)}) {
+    engine.load(other, settings);
+    fresh.load(other, settings);
+    for (DoubleEngine* e : {&engine, &fresh}) e->run(20);
+    expect_same_bits(engine, fresh);
   }
-  std::printf("%zu contacts, %zu of them new\n", contacts, fresh);
-  EXPECT_GT(contacts, 10000u);
-  EXPECT_GT(fresh, 1000u);  // contacts that the list had to find in time
+}
+
+/// A stage of preparation without friction, between others with it.
+TEST(NativeEngine, FrictionlessStepsClearTheSpringsAndTorquesAsTheLawDoes) {
+  const Assembly cloud = clustered_cloud(6, cube(0.04, true), {.grains = 60, .overlap = 0.003});
+  EngineSettings smooth = settings;
+  smooth.material.sliding_friction = smooth.material.rolling_friction = 0.0;  // caps of 0
+  DoubleEngine engine;
+  engine.load(cloud, smooth);
+  engine.run(1);
+  const Assembly after = engine.save();
+  ASSERT_FALSE(after.contacts.empty());
+  for (const ContactHistory& contact : after.contacts) {
+    EXPECT_EQ(contact.tangential_spring.norm(), 0.0);
+    EXPECT_EQ(contact.rolling_torque.norm(), 0.0);
+  }
 }
 
 }  // namespace

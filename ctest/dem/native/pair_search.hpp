@@ -3,52 +3,87 @@
 #include <vector>
 
 #include "dem/native/cell_grid.hpp"
+#include "grains/contact_search.hpp"
+#include "grains/pair_constants.hpp"
 #include "support/clustered_cloud.hpp"
 
 namespace flowslide::native {
 
 /// The grains as the native engine holds them, with the two that pad tiles.
-inline std::vector<Body> bodies_of(const Assembly& assembly) {
-  std::vector<Body> bodies(assembly.size() + 2, Body{});
-  for (std::size_t i = 0; i < assembly.size(); ++i) {
-    Vector3::Map(bodies[i].position) = assembly.position[i];
-    Vector3::Map(bodies[i].velocity) = assembly.velocity[i];
-    bodies[i].radius = assembly.radius[i];
-    bodies[i].mass = 1e4 * assembly.radius[i] * assembly.radius[i] * assembly.radius[i];
+template <typename Real = double>
+std::vector<Body<Real>> bodies_of(const Assembly& assembly) {
+  std::vector<Body<Real>> bodies;
+  for (std::size_t i = 0; i < assembly.size() + 2; ++i) {
+    Body<double> body{};
+    body.radius = body.mass = body.inertia = 1e-3;
+    if (i < assembly.size()) {
+      Vector3::Map(body.position) = assembly.position[i];
+      Vector3::Map(body.velocity) = assembly.velocity[i];
+      Vector3::Map(body.spin) = assembly.spin[i];
+      body.radius = assembly.radius[i];
+      body.mass = sphere_mass(body.radius, Material{});
+      body.inertia = sphere_inertia(body.radius, Material{});
+    } else {
+      body.position[0] = static_cast<double>(i - assembly.size());  // 1 m apart
+    }
+    bodies.push_back(in_precision<Real>(body));
   }
-  bodies[assembly.size() + 1].position[0] = 1.0;
-  for (std::size_t i = assembly.size(); i < bodies.size(); ++i) bodies[i].radius = bodies[i].mass = 1e-3;
   return bodies;
 }
 
-/// All later neighbours of a grain with all their images, by looking at every one.
-inline std::vector<Neighbour> every_later_neighbour(const Assembly& a, std::uint32_t i, double skin) {
-  std::vector<Neighbour> found;
+/// Allowances (m) of some grains at rest and some fast ones.
+inline std::vector<double> some_allowances(std::size_t grains, Dice& dice) {
+  const double at_rest = dice.between(0.0, 1e-4);
+  std::vector<double> allowance(grains);
+  for (double& a : allowance) a = at_rest + (dice.below(4) == 0 ? dice.between(0.0, 2.5e-4) : 0.0);
+  return allowance;
+}
+
+/// All pairs of a share with all their images, by looking at every one.
+inline std::vector<NearPair> every_near_pair(const Assembly& a, const std::vector<double>& allowance,
+                                             const Share& share) {
+  std::vector<NearPair> found;
   const auto reach = [&](int axis) { return a.cell.periodic[axis] ? 1 : 0; };
-  for (std::uint32_t j = i + 1; j < a.size(); ++j)
-    for (int x = -reach(0); x <= reach(0); ++x)
-      for (int y = -reach(1); y <= reach(1); ++y)
-        for (int z = -reach(2); z <= reach(2); ++z) {
-          const Vector3 d = a.position[i] - a.position[j] - Vector3(x, y, z).cwiseProduct(a.cell.lengths());
-          const double near = a.radius[i] + a.radius[j] + skin;
-          if (d.squaredNorm() < near * near) found.push_back({j, image_of(x, y, z)});
-        }
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = i + 1; j < a.size(); ++j) {
+      if (!share.owns(i) && !share.owns(j)) continue;
+      for (int x = -reach(0); x <= reach(0); ++x)
+        for (int y = -reach(1); y <= reach(1); ++y)
+          for (int z = -reach(2); z <= reach(2); ++z) {
+            const Vector3 d = a.position[i] - a.position[j] - Vector3(x, y, z).cwiseProduct(a.cell.lengths());
+            const double near = (a.radius[i] + allowance[i]) + (a.radius[j] + allowance[j]);
+            if (d.squaredNorm() < near * near) found.push_back({i, j, image_of(x, y, z)});
+          }
+    }
   return found;
 }
 
-/// One of many small random clouds: 1 to 24 grains, radii to 1:3, each axis rigid or periodic, some grains glued.
-inline Assembly fuzzed_cloud(std::uint64_t seed) {
+/// Pairs that touch, by looking at every one.
+inline std::vector<TouchingPair> every_touching_pair(const Assembly& a) {
+  std::vector<TouchingPair> pairs;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = i + 1; j < a.size(); ++j)
+      if (!in_one_layer(a, i, j) &&
+          a.cell.nearest_image(a.position[i] - a.position[j]).norm() < a.radius[i] + a.radius[j])
+        pairs.push_back({i, j});
+  return pairs;
+}
+
+/// One of many small random clouds: 1 to 24 grains (or up to `most` in a cell as much larger), radii to 1:3, each axis
+/// rigid or periodic, some grains glued.
+inline Assembly fuzzed_cloud(std::uint64_t seed, std::size_t most = 24) {
   Dice dice(seed ^ 0x9e3779b97f4a7c15u);
   CloudShape shape;
-  shape.grains = 1 + dice.below(24);
+  shape.grains = 1 + dice.below(most);
   shape.largest = 3e-3;
   shape.smallest = dice.between(1e-3, 3e-3);
   shape.overlap = dice.between(0.001, 0.02);
+  const double scale = std::cbrt(static_cast<double>(most) / 24.0);
   Cell cell;
   cell.lower = dice.vector(0.02);
   for (int axis = 0; axis < 3; ++axis) {
     cell.periodic[axis] = dice.below(2) == 0;
-    cell.upper[axis] = cell.lower[axis] + dice.between(0.0135, 0.04);  // from two reaches of the largest on
+    cell.upper[axis] = cell.lower[axis] + scale * dice.between(0.0135, 0.04);  // from two reaches of the largest on
   }
   Assembly cloud = clustered_cloud(seed, cell, shape);
   if (dice.below(3) == 0)
