@@ -2,6 +2,7 @@
 // What every engine must do: the same tests run over each of them, and again on two MPI ranks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -18,11 +19,34 @@ namespace {
 
 constexpr double step = 2e-6;  // a tenth of the Rayleigh time of these grains
 
-/// Sums of some thousand rounded terms in another order (another engine, rank or list) agree to this, relative.
-constexpr double rounding = 1e-12;
+/// What rounding leaves, relative, in engines that work in double and in the one whose law works in float.
+struct Rounding {
+  /// Sums of some thousand rounded terms in another order (another engine, rank or list). Float: forces and their sums
+  /// on a grain are rounded to 6e-8 of themselves, and add up at random.
+  double of_sums;
+  /// One evaluation of the law. Positions folded by a period of 36 mm lose one unit in the last place, 7e-18 m, against
+  /// overlaps of 1e-5 m. Float: some ten operations rounded to 6e-8 of their results.
+  double of_forces;
+  /// Stress by two ways, each a sum of forces that were evaluated anew.
+  double of_stress;
+};
+constexpr Rounding in_double{1e-12, 1e-10, 1e-9}, in_float{1e-6, 1e-6, 1e-6};
+constexpr double rounding = in_double.of_sums;  ///< of lengths and strains, which every engine keeps in double
 
 class EngineContract : public testing::TestWithParam<std::string> {
  protected:
+  const Rounding& tolerance() const { return GetParam() == "native-mixed" ? in_float : in_double; }
+  /// A saved state for `evaluate_contact_forces`, which tells sliding from sticking by whether the history is at its
+  /// cap within 1e-9. One that was capped in float misses it by its rounding: stretched by a few times that, it counts
+  /// as sliding again, and acts with the cap.
+  Assembly with_exact_caps(Assembly assembly) const {
+    if (GetParam() != "native-mixed") return assembly;
+    for (ContactHistory& contact : assembly.contacts) {
+      contact.tangential_spring *= 1.0 + 5e-7;
+      contact.rolling_torque *= 1.0 + 5e-7;
+    }
+    return assembly;
+  }
   EngineSettings settings() const { return {Material{}, step, 0.0}; }
   std::unique_ptr<Engine> engine() const { return make_engine(GetParam(), testing::TempDir() + "contract.log"); }
   /// A sheared lattice with sliding, rolling and sticking contacts.
@@ -82,7 +106,7 @@ TEST_P(EngineContract, TwoRunsWithSaveAndLoadBetweenEqualOneRun) {
   parts->load(middle, settings());
   parts->move(motion);
   parts->run(100);
-  expect_equal(parts->cell_stress(), whole->cell_stress(), rounding);
+  expect_equal(parts->cell_stress(), whole->cell_stress(), tolerance().of_sums);
 }
 
 TEST_P(EngineContract, ManyShortRunsEqualOneLongRun) {
@@ -133,16 +157,15 @@ TEST_P(EngineContract, ForcesAreThoseOfTheContactLaw) {
   const Material material;
   const PlaneVelocities planes{{0.0, 0.0, 0.0}, {0.0, 0.0, -touching_lattice().cell.height()}};
   const GrainForces expected =
-      sum_on_grains(evaluate_contact_forces(assembly, material, step, planes), assembly.size());
+      sum_on_grains(evaluate_contact_forces(with_exact_caps(assembly), material, step, planes), assembly.size());
   double largest = 0.0, force_error = 0.0, torque_error = 0.0;
   for (std::size_t i = 0; i < assembly.size(); ++i) {
     largest = std::max(largest, assembly.force[i].norm());
     force_error = std::max(force_error, (assembly.force[i] - expected.force[i]).norm());
     torque_error = std::max(torque_error, (assembly.torque[i] - expected.torque[i]).norm());
   }
-  // Positions folded by a period of 36 mm lose one unit in the last place, 7e-18 m, against overlaps of 1e-5 m.
-  EXPECT_LT(force_error, 1e-10 * largest);
-  EXPECT_LT(torque_error, 1e-10 * largest * 3e-3);
+  EXPECT_LT(force_error, tolerance().of_forces * largest);
+  EXPECT_LT(torque_error, tolerance().of_forces * largest * 3e-3);
 }
 
 TEST_P(EngineContract, CheapStressIsBagisStress) {
@@ -151,11 +174,12 @@ TEST_P(EngineContract, CheapStressIsBagisStress) {
   e->load(assembly, settings());
   e->run(1);
   const Assembly now = e->save();
-  const SlopeStress bagi = slope_stress(bagi_stress(now, evaluate_contact_forces(now, Material{}, step)));
+  const ContactForces forces = evaluate_contact_forces(with_exact_caps(now), Material{}, step);
+  const SlopeStress bagi = slope_stress(bagi_stress(now, forces));
   const CellStress cheap = e->cell_stress();
-  EXPECT_NEAR(cheap.normal, bagi.normal, 1e-9 * bagi.normal);
-  EXPECT_NEAR(cheap.shear, bagi.shear, 1e-9 * bagi.normal);
-  EXPECT_NEAR(cheap.mean(), bagi.mean, 1e-9 * bagi.normal);
+  EXPECT_NEAR(cheap.normal, bagi.normal, tolerance().of_stress * bagi.normal);
+  EXPECT_NEAR(cheap.shear, bagi.shear, tolerance().of_stress * bagi.normal);
+  EXPECT_NEAR(cheap.mean(), bagi.mean, tolerance().of_stress * bagi.normal);
 }
 
 TEST_P(EngineContract, StressAtRestIsTheForceOnTheGluedLayerOverItsArea) {
@@ -169,14 +193,14 @@ TEST_P(EngineContract, StressAtRestIsTheForceOnTheGluedLayerOverItsArea) {
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (rest.role[i] == Role::top_layer) layer += rest.force[i];
   const CellStress stress = e->cell_stress();
-  // What is left of the motion keeps the two apart: the tolerance is the unbalanced force over the area.
+  // What is left of the motion keeps the two apart: what is allowed is the unbalanced force over the area.
   double unbalanced = 0.0;
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (rest.role[i] == Role::mobile) unbalanced += rest.force[i].norm();
-  const double tolerance = unbalanced / rest.cell.area() + rounding * stress.normal;
-  EXPECT_LT(tolerance, 0.01 * stress.normal);
-  EXPECT_NEAR(stress.normal, layer.z() / rest.cell.area(), tolerance);
-  EXPECT_NEAR(stress.shear, -layer.x() / rest.cell.area(), tolerance);
+  const double within = unbalanced / rest.cell.area() + tolerance().of_sums * stress.normal;
+  EXPECT_LT(within, 0.01 * stress.normal);
+  EXPECT_NEAR(stress.normal, layer.z() / rest.cell.area(), within);
+  EXPECT_NEAR(stress.shear, -layer.x() / rest.cell.area(), within);
 }
 
 TEST_P(EngineContract, DragTakesEnergyAndIsNoStress) {
@@ -216,7 +240,7 @@ TEST_P(EngineContract, InternalForcesKeepMomentum) {
     after += mass * end.velocity[i];
     scale += mass * end.velocity[i].norm() + 500 * step * end.force[i].norm();
   }
-  EXPECT_LT((after - before).norm(), rounding * scale);
+  EXPECT_LT((after - before).norm(), tolerance().of_sums * scale);
 }
 
 TEST_P(EngineContract, CountsGrainsAndStopsWhenOneLeaves) {
@@ -243,13 +267,13 @@ TEST_P(EngineContract, ChangedSettingsHoldFromTheNextStep) {
   e->run(1);
   const Assembly now = e->save();
   const GrainForces expected =
-      sum_on_grains(evaluate_contact_forces(now, changed.material, changed.time_step), now.size());
+      sum_on_grains(evaluate_contact_forces(with_exact_caps(now), changed.material, changed.time_step), now.size());
   double largest = 0.0, error = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) {
     largest = std::max(largest, expected.force[i].norm());
     error = std::max(error, (now.force[i] - expected.force[i]).norm());
   }
-  EXPECT_LT(error, 1e-10 * largest);
+  EXPECT_LT(error, tolerance().of_forces * largest);
 }
 
 TEST_P(EngineContract, RefusesASampleWithoutGluedLayersAndAStepTooLong) {
@@ -263,7 +287,11 @@ TEST_P(EngineContract, RefusesASampleWithoutGluedLayersAndAStepTooLong) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, EngineContract, testing::ValuesIn(engine_names()),
-                         [](const auto& engine) { return engine.param; });
+                         [](const auto& engine) {
+                           std::string name = engine.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace flowslide
