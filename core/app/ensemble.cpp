@@ -155,7 +155,9 @@ Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows
 
 Series band_of_rows(const std::vector<Series>& replicates) {
   Series band;
-  band.axis = replicates.front().axis;
+  band.axis = std::min_element(replicates.begin(), replicates.end(), [](const Series& a, const Series& b) {
+                return a.rows() < b.rows();
+              })->axis;
   for (const Column& column : replicates.front().columns) {
     std::vector<const std::vector<double>*> all;
     for (const Series& replicate : replicates)

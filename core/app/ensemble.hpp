@@ -44,7 +44,8 @@ double mean_between(const Series& series, const std::string& column, const std::
 /// the abscissa. Empty if the replicates share no range.
 Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows);
 
-/// The same, row by row, of series that share their axis, such as profiles. Columns that one of them lacks are left out.
+/// The same, row by row, of series that share their axis, such as profiles, as far as the shortest goes.
+/// Columns that one of them lacks are left out.
 Series band_of_rows(const std::vector<Series>& replicates);
 
 }  // namespace flowslide

@@ -12,7 +12,7 @@ namespace flowslide {
 namespace {
 
 /// Room between the seeds of two replicates for the trials of a search.
-constexpr std::int64_t seeds_per_replicate = 1000;
+constexpr std::uint64_t seeds_per_replicate = 1000;
 /// Of a lattice along one axis: the number of its grains is an int.
 constexpr int most_sites = 1000;
 
@@ -44,6 +44,14 @@ SampleRecipe read_preparation(const Configuration& configuration) {
   recipe.stress_tolerance = configuration.number("preparation.stress_tolerance", Range::inside(0.0, 0.1));
   recipe.kinetic_tolerance = configuration.number("preparation.kinetic_tolerance", Range::positive());
   return recipe;
+}
+
+std::uint64_t seed_offset(const Configuration& configuration, const std::string& key, int replicate) {
+  if (configuration.has(key)) {
+    const auto offsets = configuration.integers(key, Range::between(0, 1e9));
+    if (static_cast<std::size_t>(replicate) < offsets.size()) return static_cast<std::uint64_t>(offsets[replicate]);
+  }
+  return static_cast<std::uint64_t>(replicate) * seeds_per_replicate;
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     const std::string table = "sample." + name + ".";
     SampleSpecification sample{name, read_preparation(configuration), {}};
     sample.recipe.packing = read_packing(configuration);
-    sample.recipe.packing.seed += static_cast<std::uint64_t>(replicate * seeds_per_replicate);
+    sample.recipe.packing.seed += seed_offset(configuration, table + "seed_offsets", replicate);
     sample.recipe.material = material;
     sample.recipe.normal_stress = initial_normal_stress(slope);
     sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);

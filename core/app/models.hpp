@@ -22,7 +22,8 @@ struct SampleSpecification {
 };
 
 /// The tables [sample.<name>], prepared as [packing] and [preparation] say, to the stresses of the slope; `isotropic`
-/// samples bear no shear stress. `replicate` (from 0) shifts the seed. Throws ConfigurationError.
+/// samples bear no shear stress. `replicate` (from 0) shifts the seed, by its entry of the list `seed_offsets` if the
+/// sample has one: seeds that a search has found already. Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               const Material& material, int replicate);
 

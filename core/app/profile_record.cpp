@@ -56,7 +56,7 @@ double ProfileRecord::next_strain() const {
   const std::size_t index = open ? sums_.size() - 1 : sums_.size();
   if (index >= plan_.strains.size()) return std::numeric_limits<double>::infinity();
   const int taken = open ? sums_.back().snapshots : 0;
-  return plan_.strains[index] + plan_.window * taken / plan_.snapshots;
+  return plan_.strains[index] * (1.0 + plan_.window * taken / plan_.snapshots);
 }
 
 void ProfileRecord::take(double strain, const DemSample& sample) {

@@ -13,7 +13,7 @@ namespace flowslide {
 struct ProfilePlan {
   int sublayers = 10;
   int snapshots = 1;             ///< whose mean a profile is: the few grains of a sublayer are noise
-  double window = 0.0;           ///< of shear strain that the snapshots are spread over
+  double window = 0.0;           ///< that the snapshots are spread over, as a share of the strain where it begins
   std::vector<double> strains;   ///< shear strains of the layer at which the windows begin, growing; may be none
 };
 

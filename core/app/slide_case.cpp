@@ -66,8 +66,11 @@ void SlideCase::read(const Configuration& configuration) {
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
   for (int replicate = 0; replicate < replicates; ++replicate) {
     const auto samples = read_samples(configuration, slope_, material_, replicate);
-    for (const std::string& name : configuration.subtables("point"))
+    for (const std::string& name : configuration.subtables("point")) {
+      const std::string key = "point." + name + ".replicates";
+      if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
       slides_.push_back(read_slide_point(configuration, name, replicate, samples, slope_, engine_, folder_));
+    }
   }
 }
 
@@ -169,13 +172,19 @@ std::map<std::string, double> SlideCase::metrics(const std::filesystem::path& fo
   return all;
 }
 
-void SlideCase::finish(const OutputFolder& output) const {
+std::vector<std::string> SlideCase::points_in(const OutputFolder& output) const {
   std::vector<std::string> present;
-  std::map<std::string, std::vector<Series>> profiles;
-  for (const SlidePoint& slide : slides_) {
+  for (const SlidePoint& slide : slides_)
     if (std::filesystem::exists(output.file(slide.point.name + ".h5"))) present.push_back(slide.point.name);
-    const auto file = output.file(slide.point.name + "_profiles.dat");
-    if (std::filesystem::exists(file)) profiles[slide.name].push_back(read_table(file).series);
+  return present;
+}
+
+void SlideCase::finish(const OutputFolder& output) const {
+  const std::vector<std::string> present = points_in(output);
+  std::map<std::string, std::vector<Series>> profiles;
+  for (const std::string& point : present) {
+    const auto file = output.file(point + "_profiles.dat");
+    if (std::filesystem::exists(file)) profiles[slide(point).name].push_back(read_table(file).series);
   }
   for (const auto& [name, ensemble] : results_in(output.path(), present))
     for (const std::string& abscissa : abscissas())

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What all cases that slide share. A case derives from SlideCase and adds the numbers that its claims are about; the
-// rest stands in its case.toml: the slides as [point.<name>] (see read_slide_point), one replicate per sample, each of
-// them a point of its own, so that they run side by side and are kept one by one.
+// rest stands in its case.toml: the slides as [point.<name>] (see read_slide_point), as many replicates of each as
+// `replicates` says (at most [point.<name>] `replicates` of them), every one on a sample of its own and a point of its
+// own, so that they run side by side and are kept one by one.
 #pragma once
 #include <functional>
 #include <memory>
@@ -47,13 +48,17 @@ class SlideCase : public Case {
   /// Columns, or the axis "time", over which the figures show the replicates.
   virtual std::vector<std::string> abscissas() const = 0;
 
-  const SlopeProperties& slope() const { return slope_; }
+  /// All slides of the configuration, replicates too.
+  const std::vector<SlidePoint>& slides() const { return slides_; }
+  /// The results of these points by the names of their slides.
+  Ensembles results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const;
+  /// The points whose results are there.
+  std::vector<std::string> points_in(const OutputFolder& output) const;
 
  private:
   struct Loaded;
   const SlidePoint& slide(const std::string& point) const;
   Loaded load(const SlidePoint& slide, const PointRun& run) const;
-  Ensembles results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const;
 
   CaseDescription description_;
   std::filesystem::path folder_;

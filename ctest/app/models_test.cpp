@@ -162,6 +162,15 @@ TEST(ReadSamples, GiveEachReplicateSeedsThatNoSearchOfAnotherReaches) {
   EXPECT_GE(second - first, 100U);  // the most trials that a configuration may allow
 }
 
+TEST(ReadSamples, TakeSeedsThatWereFoundBefore) {
+  const auto configuration = with("most_trials = 8", "most_trials = 8\nseed_offsets = [4, 9]");
+  const auto seed = [&](int replicate) { return samples_of(configuration, replicate).front().recipe.packing.seed; };
+  const auto base = samples_of(configuration).back().recipe.packing.seed;  // of a sample without a list
+  EXPECT_EQ(seed(0), base + 4);
+  EXPECT_EQ(seed(1), base + 9);
+  EXPECT_EQ(seed(2), samples_of(configuration, 2).back().recipe.packing.seed);  // beyond the list
+}
+
 TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:20:18: packing.lattice = 2 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");

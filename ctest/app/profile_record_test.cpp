@@ -56,11 +56,11 @@ class ProfileRecordOfGrains : public testing::Test {
 };
 
 TEST_F(ProfileRecordOfGrains, TakesSnapshotsWhenTheyAreDue) {
-  ProfileRecord record({3, 2, 0.2, {0.1, 0.5}});
-  for (const double strain : {0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.45, 0.5, 0.55}) record.take(strain, *sample_);
+  ProfileRecord record({3, 2, 1.0, {0.1, 0.5}});  // at 0.1, 0.15, 0.5 and 0.75
+  for (const double strain : {0.0, 0.05, 0.1, 0.12, 0.2, 0.3, 0.45, 0.5, 0.7}) record.take(strain, *sample_);
   Series series = record.series();
   ASSERT_EQ(series.columns.size(), 3U);  // the second profile waits for its last snapshot
-  record.take(0.6, *sample_);
+  record.take(0.8, *sample_);
   series = record.series();
   ASSERT_EQ(series.columns.size(), 6U);
   EXPECT_EQ(series.axis.values, (std::vector{0.5 / 3.0, 1.5 / 3.0, 2.5 / 3.0}));

@@ -67,7 +67,7 @@ smallest_rate = "2 1/s"
 [profiles]
 sublayers = 4
 snapshots = 2
-window = 1e-4
+window = 0.5
 [loading]
 history = "pulse"
 amplitude = "3 kPa"
