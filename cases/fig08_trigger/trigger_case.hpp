@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "app/slide_case.hpp"
+
+namespace flowslide {
+
+/// Figs. 8, 9 and 10: a slope that is loaded at a constant rate until it liquefies, by RD and by RI.
+class TriggerCase : public SlideCase {
+ public:
+  TriggerCase();
+  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, and the legend of Fig. 10.
+  void finish(const OutputFolder& output) const override;
+
+ protected:
+  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;
+  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
+  std::vector<std::string> abscissas() const override { return {"time", "shear_strain"}; }
+};
+
+}  // namespace flowslide

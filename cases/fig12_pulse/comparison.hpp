@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <map>
+#include <string>
+
+#include "app/ensemble.hpp"
+
+namespace flowslide {
+
+/// Adds to `metrics` what is said of several slides, named "<scheme>_<amplitude>kPa", where those it takes have been run:
+///   parting_velocity.<statistic>  m/s, of the pairs of RI_3kPa and RD_3kPa on one sample (see parting_velocity)
+///   RD_normal_stress_over_RI      ratio of the medians of the normal stress after the pulse at 3 kPa
+///   RI_growth                     least ratio of the medians of v at equal x of neighbouring amplitudes, by RI
+///   RD_spread_over_amplitudes     m/s, highest less lowest of the median largest velocities, by RD
+///   RD_spread_over_seeds          m/s, mean over the amplitudes of highest less lowest largest velocity
+///   RD_spread_ratio               the former over the latter
+void compare_schemes(const Ensembles& slides, std::map<std::string, double>& metrics);
+
+/// The velocity by RI up to which RD follows: v(x) at the last x where RD's is not below it by more than a tenth, m/s.
+/// The largest v of RI that RD has reached the place of, if they never part.
+double parting_velocity(const Series& rd, const Series& ri);
+
+}  // namespace flowslide

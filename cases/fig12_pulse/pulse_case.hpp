@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "app/slide_case.hpp"
+
+namespace flowslide {
+
+/// Figs. 11 and 12: a slope that a sine pulse of its driving stress sets off, by RD and by RI, at several amplitudes.
+class PulseCase : public SlideCase {
+ public:
+  PulseCase();
+
+ protected:
+  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;
+  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
+  std::vector<std::string> abscissas() const override { return {"displacement", "time"}; }
+};
+
+}  // namespace flowslide

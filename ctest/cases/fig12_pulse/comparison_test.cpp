@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/slide_run.hpp"
+
+namespace flowslide {
+namespace {
+
+/// v = min(sqrt(2 a x), limit) up to x = 4 m, as the replicate of that number.
+Result slide(double acceleration, double limit, int replicate = 0) {
+  Result result;
+  result.provenance.replicate = replicate;
+  result.series = slide_series();
+  double largest = 0.0;
+  for (int row = 0; row <= 4000; ++row) {
+    const double x = 1e-3 * row, velocity = std::min(std::sqrt(2.0 * acceleration * x), limit);
+    std::vector<double> values(result.series.columns.size(), 0.0);
+    values[0] = x;
+    values[1] = velocity;
+    result.series.append_row(1e-3 * row, values);
+    largest = std::max(largest, velocity);
+  }
+  result.metrics = {{"largest_velocity", largest, "m/s", ""}};
+  return result;
+}
+
+TEST(Comparison, FindsWhereTheSchemesPart) {
+  // RD stays at 1.8 m/s: a tenth below RI where that has 2 m/s. Places stand 0.05 m apart, dv = a dx/v.
+  EXPECT_NEAR(parting_velocity(slide(1.0, 1.8).series, slide(1.0, 9.0).series), 2.0, 0.05 / 2.0);
+  // Never: up to the end at sqrt(2 x 4) m/s.
+  EXPECT_NEAR(parting_velocity(slide(1.0, 9.0).series, slide(1.0, 9.0).series), std::sqrt(8.0), 0.04);
+}
+
+TEST(Comparison, TakesPairsOnOneSample) {
+  std::map<std::string, double> metrics;
+  compare_schemes({{"RD_3kPa", {slide(1.0, 1.8, 0), slide(1.0, 0.9, 2)}}, {"RI_3kPa", {slide(1.0, 9.0, 2)}}}, metrics);
+  EXPECT_NEAR(metrics.at("parting_velocity.median"), 1.0, 0.05);
+  EXPECT_FALSE(metrics.contains("RI_growth"));
+}
+
+TEST(Comparison, ComparesAmplitudes) {
+  std::map<std::string, double> metrics;
+  compare_schemes({{"RI_3kPa", {slide(1.0, 9.0)}},
+                   {"RI_4kPa", {slide(1.44, 9.0)}},
+                   {"RI_10kPa", {slide(4.0, 9.0)}},
+                   {"RD_3kPa", {slide(1.0, 1.5), slide(1.0, 1.6), slide(1.0, 1.9)}},
+                   {"RD_4kPa", {slide(1.0, 1.5), slide(1.0, 1.8), slide(1.0, 2.1)}}},
+                  metrics);
+  EXPECT_NEAR(metrics.at("RI_growth"), 1.2, 1e-9);  // sqrt(1.44), the smaller of the two steps
+  EXPECT_NEAR(metrics.at("RD_spread_over_amplitudes"), 0.2, 1e-9);
+  EXPECT_NEAR(metrics.at("RD_spread_over_seeds"), 0.5, 1e-9);
+  EXPECT_NEAR(metrics.at("RD_spread_ratio"), 0.4, 1e-9);
+}
+
+TEST(Comparison, SaysNothingOfWhatWasNotRun) {
+  std::map<std::string, double> metrics;
+  compare_schemes({{"RD_3kPa", {slide(1.0, 1.8)}}}, metrics);
+  EXPECT_TRUE(metrics.empty());
+}
+
+}  // namespace
+}  // namespace flowslide
