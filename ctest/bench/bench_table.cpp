@@ -56,7 +56,7 @@ void BenchTable::Finalize() {
   for (const Row& row : rows_) {
     const Row* reference = liggghts_for(row);
     const double ratio = reference ? row.steps_per_second / reference->steps_per_second : 0.0;
-    const bool native = row.engine != "liggghts", mixed = row.engine == "native-mixed";
+    const bool native = row.engine.starts_with("native"), mixed = row.engine == "native-mixed";
     const double least = (mixed ? floor_mixed : floor_double) / row.workers;
     fmt::print("| {:.0f} | {} | {:.0f} | {} | {:.0f} | {:.3g} | {:.1f} | {:.3g} | {:.1f} % | {} | {} | {} |\n",
                row.grains, row.state, row.contacts, row.engine, row.workers, row.steps_per_second, row.cost,

@@ -9,7 +9,7 @@ declare -A reason=(
   [core/record/hdf5_error.cpp]='part of record/hdf5.hpp, as are the next two: tested as one in hdf5_test.cpp'
   [core/record/hdf5_file.cpp]='see hdf5_error.cpp'
   [core/record/hdf5_text.cpp]='see hdf5_error.cpp'
-  [core/dem/native/isa/contact_pass_isa.cpp]='compiled per instruction set; contact_pass_test.cpp tests each'
+  [core/dem/native/isa/passes_isa.cpp]='compiled per instruction set; passes_test.cpp tests each'
 )
 
 missing=0 files=0

@@ -9,6 +9,7 @@ tree="$room/a path with blanks"
 program="$tree/build/release/cases/fig03_undrained/fig03_undrained"
 mkdir -p "$(dirname "$program")" "$room/bin"
 cp -r "$source_dir"/{reproduce,scripts,plots,packages.txt} "$tree"
+grep -E '^#|fig03_undrained' "$source_dir/plots/figures.txt" >"$tree/plots/figures.txt"   # the one case that it has
 
 # Set-up has nothing to do: cmake and gnuplot succeed (gnuplot notes what it was asked for), and all packages are there.
 for command in cmake gnuplot; do

@@ -98,17 +98,28 @@ void Boundaries::add_upper_plane(const std::vector<Body<double>>& bodies, Vector
 }
 
 double Boundaries::mean_flow_speed(double reach) const {
-  const Vector3 lengths = cell_.lengths();
-  double speed = reach * (motion_.top_velocity - motion_.bottom_velocity).norm() / lengths.z();
-  for (int axis = 0; axis < 2; ++axis)  // a rigid side meets grains that do not know of it
-    speed += std::abs(rates(motion_)[axis]) * (cell_.periodic[axis] ? reach : std::max(reach, 0.5 * lengths[axis]));
+  const MeanFlow flow = mean_flow();
+  double speed = reach * Vector3::Map(flow.slope).norm();
+  for (int axis = 0; axis < 2; ++axis)
+    if (cell_.periodic[axis]) speed += reach * std::abs(rates(motion_)[axis]);
+  return speed;
+}
+
+double Boundaries::side_speed() const {
+  double speed = 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+    if (!cell_.periodic[axis]) speed = std::max(speed, 0.5 * std::abs(rates(motion_)[axis]) * cell_.lengths()[axis]);
   return speed;
 }
 
 MeanFlow Boundaries::mean_flow() const {
   MeanFlow flow{};
-  Vector3::Map(flow.base) = motion_.bottom_velocity;
-  Vector3::Map(flow.slope) = (motion_.top_velocity - motion_.bottom_velocity) / cell_.height();
+  // Nothing flows through a rigid side, and across a periodic face along z the flow would jump.
+  for (int axis = 0; axis < 3 && !cell_.periodic[2]; ++axis) {
+    if (axis < 2 && !cell_.periodic[axis]) continue;
+    flow.base[axis] = motion_.bottom_velocity[axis];
+    flow.slope[axis] = (motion_.top_velocity[axis] - motion_.bottom_velocity[axis]) / cell_.height();
+  }
   flow.origin = cell_.lower.z();
   return flow;
 }

@@ -38,11 +38,13 @@ class Boundaries {
   const Cell& cell() const { return cell_; }
   const EngineSettings& settings() const { return settings_; }
   const BoundaryMotion& motion() const { return motion_; }
-  /// Bound on how fast two neighbours, or a grain and a plane, that follow the boundaries part or meet, m/s, if they
-  /// are `reach` (m) apart.
-  double mean_flow_speed(double reach) const;
-  /// The boundaries' linear field of velocities.
+  /// Linear field of velocities that the boundaries impose on the grains.
   MeanFlow mean_flow() const;
+  /// Bound on how fast two grains, or a grain and a plane along z, meet that follow the mean flow and shrinking periods
+  /// and are `reach` (m) apart, m/s.
+  double mean_flow_speed(double reach) const;
+  /// Speed of the fastest rigid side, m/s: grains do not follow it.
+  double side_speed() const;
   /// What grains must be folded back into: the cell, open along rigid axes.
   Box periods() const;
   /// What grains must stay in: the cell, open (but finite) along periodic axes.

@@ -55,6 +55,9 @@ NativeEngine<Real>::NativeEngine(const NativeOptions& options) : options_(option
   if (options.threads < 0)
     throw EngineError(fmt::format("the native engine cannot use {} threads; allowed: 1 and more, or 0 to let it choose",
                                   options.threads));
+  if (!(options.first_allowance >= 0.0) || !std::isfinite(options.first_allowance))
+    throw EngineError(fmt::format("the first allowance of the native engine is {} smallest diameters; it must be a "
+                                  "number from 0", options.first_allowance));
   if (options_.instruction_set.empty()) options_.instruction_set = native::instruction_sets().back();
 }
 
@@ -182,6 +185,7 @@ void NativeEngine<Real>::prepare_law() {
   const double hertz = 4.0 / 3.0 * pair.effective_modulus;
   const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
   const auto in_law = [](double x) { return static_cast<Real>(x); };
+  law_is_new_ = true;
   grains_.time_step = settings_.time_step;
   grains_.law = {.normal_stiffness = in_law(hertz),
                  .normal_damping = in_law(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
@@ -228,6 +232,7 @@ void NativeEngine<Real>::run(std::int64_t steps) {
   if (steps <= 0) return;
   team_->run([this, steps](int number) {  // the end of the last run's last step joins the first begin
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
+    if (law_is_new_) worker.list().forget(grains_.variant);
     int turn = turn_;
     for (std::int64_t step = 0; step < steps; ++step) {
       turn = 1 - turn;
@@ -239,6 +244,7 @@ void NativeEngine<Real>::run(std::int64_t steps) {
   });
   turn_ = static_cast<int>((turn_ + steps) % 2);
   half_step_ = true;
+  law_is_new_ = false;
   sum_up();
 }
 

@@ -96,6 +96,12 @@ void PairList<Real>::set_histories(const std::vector<ContactHistory>& contacts) 
 }
 
 template <typename Real>
+void PairList<Real>::forget(LawVariant variant) {
+  const std::size_t kept = variant == LawVariant::sliding_and_rolling ? 6 : variant == LawVariant::sliding ? 3 : 0;
+  for (std::size_t h = kept; h < 6; ++h) std::fill(columns_.history[h].begin(), columns_.history[h].end(), Real(0));
+}
+
+template <typename Real>
 Vector3 PairList<Real>::separation(std::size_t pair, const Bodies& bodies) const {
   const Body<Real>&a = bodies[columns_.first[pair]], &b = bodies[columns_.second[pair]];
   const double* shift = shift_[columns_.image[pair]];

@@ -26,6 +26,8 @@ class PairList {
   void carry(std::uint32_t grain, int axis, int periods);
   /// Forgets all histories and takes these, sorted by (first, second); the list must have been built.
   void set_histories(const std::vector<ContactHistory>& contacts);
+  /// Forgets the histories that a law without these parts does not keep.
+  void forget(LawVariant variant);
   /// Adds the histories of the pairs that touch and whose first grain the share owns.
   void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts) const;
 

@@ -102,7 +102,8 @@ void Worker<Real>::meet(const std::vector<Worker>& all, int turn) {
   }
   // Two neighbours, or a grain and a plane, meet by what both stray and by what the mean flow does over their distance.
   const double reach = longest_reach(grains_);
-  const double pace = grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach));
+  const double pace = grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach) +
+                                           boundaries_.side_speed());
   ++list_age_;
   slack_ = measures_ ? measured - 0.5 * reach * drift_.steepness() : slack_ - pace;
   const bool exhausted = measures_ && slack_ < 4.0 * pace;  // measuring at every step costs more than a list

@@ -152,7 +152,9 @@ TEST(Boundaries, FoldsAlongPeriodicAxesAndConfinesAlongRigidOnes) {
 }
 
 TEST(Boundaries, MeanFlowIsLinearAndBoundsWhatNeighboursDoInIt) {
-  Boundaries boundaries(cube(0.04, true), settings(), {0, 0});
+  Cell cell = cube(0.04, true);
+  cell.periodic[2] = false;
+  Boundaries boundaries(cell, settings(), {0, 0});
   const Vector3 bottom(0.1, 0.0, 0.02), top(0.9, 0.3, -0.03);
   boundaries.move({bottom, top, 2.0, -3.0});
   const MeanFlow flow = boundaries.mean_flow();
@@ -166,6 +168,20 @@ TEST(Boundaries, MeanFlowIsLinearAndBoundsWhatNeighboursDoInIt) {
   EXPECT_EQ(flow.slope[3], 0.0);
   const double reach = 6e-3;
   EXPECT_GE(boundaries.mean_flow_speed(reach), (at(reach) - at(0.0)).norm() + 3.0 * reach);
+  EXPECT_EQ(boundaries.side_speed(), 0.0);
+}
+
+TEST(Boundaries, NothingFlowsThroughARigidSideOrAcrossAPeriodicTop) {
+  const BoundaryMotion motion{Vector3::Zero(), Vector3(0.9, 0.3, -0.03), 2.0, -3.0};
+  Boundaries rigid(cube(0.04, false), settings(), {0, 0});
+  rigid.move(motion);
+  EXPECT_EQ(rigid.mean_flow().slope[0], 0.0);
+  EXPECT_EQ(rigid.mean_flow().slope[1], 0.0);
+  EXPECT_DOUBLE_EQ(rigid.mean_flow().slope[2], -0.03 / 0.04);
+  EXPECT_DOUBLE_EQ(rigid.side_speed(), 3.0 * 0.02);
+  Boundaries periodic(cube(0.04, true), settings(), {0, 0});
+  periodic.move(motion);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(periodic.mean_flow().slope[axis], 0.0);
 }
 
 }  // namespace

@@ -30,10 +30,12 @@ inline void two_roots(double x, double& root, double& fourth_root) {
   const double clamped = x > smallest_argument<double> ? x : smallest_argument<double>;
   double z = std::bit_cast<double>(0x4feb0c0b8c253cd1 - (std::bit_cast<std::uint64_t>(clamped) >> 2));
   const double quarter = 0.25 * clamped;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double squared = z * z;
     z *= 1.25 - quarter * (squared * squared);
   }
+  const double squared = z * z;
+  z += z * (0.25 - quarter * (squared * squared));  // the last as a small correction, which rounds less
   root = x * (z * z);
   fourth_root = root * z;
 }

@@ -42,9 +42,9 @@ inline Band<Real> band_of(Numbers numbers) {
 #ifdef __AVX512F__
   // Inserted from memory, which leaves the one port that can shuffle to the transpositions.
   if constexpr (std::is_same_v<Real, double>)
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(numbers(0))), _mm256_load_pd(numbers(1)), 1);
+    return _mm512_insertf64x4(_mm512_zextpd256_pd512(_mm256_load_pd(numbers(0))), _mm256_load_pd(numbers(1)), 1);
   else {
-    __m512 band = _mm512_castps128_ps512(_mm_load_ps(numbers(0)));
+    __m512 band = _mm512_zextps128_ps512(_mm_load_ps(numbers(0)));
     band = _mm512_insertf32x4(band, _mm_load_ps(numbers(1)), 1);
     band = _mm512_insertf32x4(band, _mm_load_ps(numbers(2)), 2);
     return _mm512_insertf32x4(band, _mm_load_ps(numbers(3)), 3);
