@@ -38,20 +38,28 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
   SampleRecipe recipe = start;
   double offset_sum = 0.0;
   const auto error = [&](const Trial& trial) { return std::abs(trial.void_ratio - target.void_ratio); };
-  while (static_cast<int>(trials.size()) < target.most_trials) {
-    trials.push_back({recipe, prepare(recipe)});
+  std::string collapse;  // of the last sample that could not be prepared
+  for (int attempt = 0; attempt < target.most_trials; ++attempt) {
+    try {
+      trials.push_back({recipe, prepare(recipe)});
+    } catch (const NumericalFailure& failure) {
+      collapse = failure.what();
+      recipe.packing.seed += 1;
+      continue;
+    }
     if (error(trials.back()) <= target.tolerance) return trials;
     offset_sum += trials.back().void_ratio - slope * recipe.preparation_friction;
     const double offset = offset_sum / static_cast<double>(trials.size());
     recipe.preparation_friction = std::clamp((target.void_ratio - offset) / slope, smallest_friction, largest_friction);
     recipe.packing.seed += 1;
   }
+  if (trials.empty()) throw NumericalFailure(collapse);
   const Trial& nearest = *std::min_element(trials.begin(), trials.end(),
                                            [&](const Trial& a, const Trial& b) { return error(a) < error(b); });
   throw NumericalFailure(fmt::format(
       "no sample with the void ratio {} +- {} in {} trials; the nearest has {:.4f}, at the preparation friction {:.3f} "
       "and the drag {} kg/s. {}, or allow a wider tolerance or more trials",
-      target.void_ratio, target.tolerance, trials.size(), nearest.void_ratio, nearest.recipe.preparation_friction,
+      target.void_ratio, target.tolerance, target.most_trials, nearest.void_ratio, nearest.recipe.preparation_friction,
       nearest.recipe.drag,
       nearest.void_ratio < target.void_ratio ? "A larger drag opens looser samples"
                                              : "A smaller drag opens denser samples"));

@@ -29,7 +29,8 @@ void validate(const VoidRatioTarget& target);
 /// Seeds scatter e_0 by 0.004 to 0.012 at one recipe, as much as the paper's spacing of samples, so a root finder has
 /// nothing to hold on to. Each trial is a new seed at the mu_1 that the mean of all trials so far suggests, with the
 /// measured slope de_0/dmu_1 = 0.15: the draws gather around the target until one falls within the tolerance.
-/// Throws NumericalFailure if none does; the message names the nearest one.
+/// A packing that fails, such as one too loose to bear its stress at rest, is a trial as well; the next seed follows.
+/// Throws NumericalFailure if none fits; the message names the nearest one.
 std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioTarget& target,
                                      const std::function<double(const SampleRecipe&)>& prepare);
 

@@ -31,6 +31,19 @@ TEST(VoidRatioSearch, TakesTheFirstSampleIfItFits) {
   EXPECT_EQ(search_void_ratio(start, {made_up(start), 1e-6, 5}, made_up).size(), 1u);
 }
 
+TEST(VoidRatioSearch, GoesOnToTheNextSeedWhenAPackingFails) {
+  SampleRecipe start;
+  const std::uint64_t first = start.packing.seed;
+  const auto fragile = [&](const SampleRecipe& recipe) {
+    if (recipe.packing.seed < first + 2) throw NumericalFailure("collapsed");
+    return 0.80;
+  };
+  const auto trials = search_void_ratio(start, {0.80, 1e-3, 3}, fragile);
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_EQ(trials.front().recipe.packing.seed, first + 2);
+  EXPECT_THROW(search_void_ratio(start, {0.80, 1e-3, 2}, fragile), NumericalFailure);
+}
+
 TEST(VoidRatioSearch, SaysHowNearItCameWhenTheTargetIsOutOfReach) {
   try {
     search_void_ratio({}, {0.95, 2e-3, 4}, made_up);
