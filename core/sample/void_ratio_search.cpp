@@ -13,7 +13,8 @@ namespace flowslide {
 namespace {
 
 constexpr double slope = 0.15;                                     ///< de_0/dmu_1 between mu_1 = 0.25 and 0.5
-constexpr double smallest_friction = 0.0, largest_friction = 0.6;  ///< beyond 0.5, mu = 0.5 collapses what is gained
+constexpr double smallest_friction = 0.0, largest_friction = 0.6;  ///< unless the search starts beyond: mu = 0.5 then
+                                                                   ///< collapses most of what is gained
 constexpr double densest = 0.55, loosest = 1.0;                    ///< random packings of spheres: 0.56 to about 0.9
 
 }  // namespace
@@ -50,7 +51,8 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
     if (error(trials.back()) <= target.tolerance) return trials;
     offset_sum += trials.back().void_ratio - slope * recipe.preparation_friction;
     const double offset = offset_sum / static_cast<double>(trials.size());
-    recipe.preparation_friction = std::clamp((target.void_ratio - offset) / slope, smallest_friction, largest_friction);
+    recipe.preparation_friction = std::clamp((target.void_ratio - offset) / slope, smallest_friction,
+                                             std::max(largest_friction, start.preparation_friction));
     recipe.packing.seed += 1;
   }
   if (trials.empty()) throw NumericalFailure(collapse);
