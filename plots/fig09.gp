@@ -27,8 +27,8 @@ do for [format in "png pdf"] {
 
   set title panel("A", "normal stress")
   set ylabel "normal stress {/:Italic σ} (kPa)" offset 1
-  set logscale y; set format y "10^{%T}"; set yrange [1e-4:100]
-  set key left bottom Left reverse
+  set logscale y; set format y "10^{%T}"; set yrange [1e-4:300]
+  set key right top Left reverse
   plot for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s + 1)):(kilo * column(s + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
        for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s)) with lines linewidth 1.2 linecolor rgb colour[i] title label[i]

@@ -8,30 +8,38 @@ here = script[1:strlen(script) - strlen("fig10.gp")]
 load here."style.gp"
 
 table = data("RD_ramp_profiles_band.dat")
-profiles = 5
-array colour[profiles] = [black, blue, sky, orange, vermillion]
-array mark[profiles] = [7, 6, 4, 8, 10]
+profiles = 4
+array colour[profiles] = [black, sky, orange, vermillion]
+array mark[profiles] = [7, 6, 4, 8]
+array shown[3] = ["velocity", "shear stress", "normal stress"]
+array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
 # Behind the height, per profile: velocity, shear stress, normal stress, each as median, lowest, highest.
 quantity(i, q) = 2 + 9 * (i - 1) + 3 * (q - 1)
+inner(q) = q == 1 ? 0 : 1   # the outer sublayers lie partly behind the glued layers: no stress of theirs is shown
+within(value) = value < -0.5 ? -0.5 : value > 2.5 ? 2.5 : value   # what leaves the frame, leaves it by this
 
 do for [format in "png pdf"] {
   eval terminal(format, 18, 6.6)
   set output picture.".".format
   set multiplot layout 1, 3
-  set ylabel "relative height {/:Italic z}/{/:Italic H}" offset 1
+  set bmargin at screen 0.21; set tmargin at screen 0.88
+  set ylabel "relative height {/:Italic z} / {/:Italic H}" offset 1
   set yrange [0:1]
+  set key bottom right Left reverse
 
-  array title[3] = ["velocity", "shear stress", "normal stress"]
-  array axis[3] = ["〈{/:Italic v_x}〉/〈{/:Italic v_x}〉_{top}", "〈{/:Italic τ}〉/{/:Italic τ}", "〈{/:Italic σ}〉/{/:Italic σ}"]
   do for [q = 1:3] {
-    set title panel(word("A B C", q), title[q])
-    set xlabel axis[q]
-    if (q == 1) { set xrange [0:1]; set key left top Left reverse } else { set xrange [0:2]; unset key }
-    if (q == 1) { set arrow 1 from 0, 0 to 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey } else { set arrow 1 from 1, 0 to 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey }
-    plot for [i = 1:profiles] table using (column(quantity(i, q))):1:(column(quantity(i, q) + 1)):(column(quantity(i, q) + 2)) \
-           with xerrorlines linewidth 0.9 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] \
+    set title panel(word("A B C", q), shown[q])
+    set xlabel share[q]
+    set xrange [0:(q == 1 ? 1 : 2)]
+    set arrow 1 from first (q == 1 ? 0 : 1), 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
+    plot for [i = 1:profiles] table every ::inner(q)::9 - inner(q) using (within(column(quantity(i, q)))):1:\
+           (within(column(quantity(i, q) + 1))):(within(column(quantity(i, q) + 2))) \
+           with xerrorbars linewidth 0.6 pointtype mark[i] pointsize 0.4 linecolor rgb colour[i] notitle, \
+         for [i = 1:profiles] table every ::inner(q)::9 - inner(q) using (within(column(quantity(i, q)))):1 \
+           with linespoints linewidth 1.2 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] \
            title label_of(sprintf("profile_%d", i))
     unset arrow 1
+    unset key
   }
   unset multiplot
   set output

@@ -11,6 +11,7 @@ namespace flowslide {
 namespace {
 
 constexpr int path_windows = 20;  ///< of strain up to the peak, over which stresses are means
+constexpr double last_part = 0.9;  ///< of the displacement, from where on velocities are compared
 
 struct Schemes {
   const Ensemble* rd = nullptr;
@@ -59,6 +60,19 @@ double median(const Ensemble& ensemble, const std::string& metric) {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : statistics_of(values).median;
 }
 
+/// Velocity by RD over that by RI near the last displacement that both reach.
+double velocity_ratio(const Series& rd, const Series& ri) {
+  const auto farthest = [](const Series& series) {
+    const auto& x = series.column("displacement").values;
+    return *std::max_element(x.begin(), x.end());
+  };
+  const double end = std::min(farthest(rd), farthest(ri));
+  const auto velocity = [&](const Series& series) {
+    return mean_between(series, "velocity", "displacement", last_part * end, end);
+  };
+  return velocity(rd) / velocity(ri);
+}
+
 }  // namespace
 
 void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metrics) {
@@ -71,7 +85,10 @@ void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metri
   metrics["path_difference_over_spread"] = path;
   metrics["peak_difference_over_spread"] = difference_over_spread({values_of(*rd, "peak_shear_stress")},
                                                                   {values_of(*ri, "peak_shear_stress")});
-  metrics["velocity_ratio"] = median(*rd, "final_velocity") / median(*ri, "final_velocity");
+  std::vector<double> ratios;
+  for (std::size_t sample = 0; sample < rd->size(); ++sample)
+    ratios.push_back(velocity_ratio((*rd)[sample].series, (*ri)[sample].series));
+  metrics["velocity_ratio"] = statistics_of(ratios).median;
   metrics["inertial_number_ratio"] = median(*ri, "steady_inertial_number") / median(*rd, "steady_inertial_number");
 }
 

@@ -60,6 +60,8 @@ std::vector<Metric> trigger_metrics(const Series& series) {
           {"steady_friction", shear / normal, "1", "mu_ss, the former over the latter"},
           {"steady_inertial_number", steady("global_inertial_number"), "1",
            "mean inertial number of the slope's rate beyond 50 % strain"},
+          {"steady_applied_inertial_number", steady("inertial_number"), "1",
+           "mean inertial number of the rate applied beyond 50 % strain"},
           {"final_velocity", column("velocity").back(), "m/s", "sliding velocity at the end"}};
 }
 

@@ -14,6 +14,7 @@ namespace flowslide {
 ///   steady_shear, steady_normal                 Pa: means over strain beyond 50 %, where the paper sees a steady state
 ///   steady_friction                             1: mu_ss = steady_shear/steady_normal
 ///   steady_inertial_number                      1: mean I of the rate of the slope beyond 50 %
+///   steady_applied_inertial_number              1: mean I of the rate that the sample was sheared at
 ///   final_velocity                              m/s
 std::vector<Metric> trigger_metrics(const Series& series);
 

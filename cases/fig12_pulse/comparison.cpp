@@ -53,10 +53,12 @@ void add_parting(const Ensemble& rd, const Ensemble& ri, std::map<std::string, d
   metrics["parting_velocity.median"] = all.median;
   metrics["parting_velocity.lowest"] = all.lowest;
   metrics["parting_velocity.highest"] = all.highest;
-  const std::vector<double> of_rd = values_of(rd, "liquefied_normal_stress");
-  const std::vector<double> of_ri = values_of(ri, "liquefied_normal_stress");
-  if (!of_rd.empty() && !of_ri.empty())
-    metrics["RD_normal_stress_over_RI"] = statistics_of(of_rd).median / statistics_of(of_ri).median;
+  const auto values = [](const Ensemble& ensemble, const char* metric) {
+    return values_of(ensemble, metric).empty() ? Statistics{} : statistics_of(values_of(ensemble, metric));
+  };
+  metrics["RD_normal_stress_over_RI"] =
+      values(rd, "liquefied_normal_stress").median / values(ri, "liquefied_normal_stress").median;
+  metrics["acceleration_gap"] = values(ri, "acceleration_share").lowest - values(rd, "acceleration_share").highest;
 }
 
 void add_growth(const std::map<double, const Ensemble*>& amplitudes, std::map<std::string, double>& metrics) {

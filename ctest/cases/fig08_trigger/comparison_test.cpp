@@ -10,20 +10,20 @@
 namespace flowslide {
 namespace {
 
-/// tau and sigma stay at these up to 1 % strain.
-Result slide(double shear, double normal, std::vector<Metric> metrics = {}) {
+/// tau and sigma stay at these up to 1 % strain, v at `velocity`.
+Result slide(double shear, double normal, double velocity = 1.0) {
   Result result;
   result.series = slide_series();
   for (int row = 0; row <= 100; ++row) {
     std::vector<double> values(result.series.columns.size(), 0.0);
+    values[0] = 2e-5 * row;
+    values[1] = velocity;
     values[2] = 1e-4 * row;
     values[4] = shear;
     values[5] = normal;
     result.series.append_row(row, values);
   }
-  result.metrics = std::move(metrics);
-  result.metrics.push_back({"strain_at_peak", 0.01, "1", ""});
-  result.metrics.push_back({"peak_shear_stress", shear, "Pa", ""});
+  result.metrics = {{"strain_at_peak", 0.01, "1", ""}, {"peak_shear_stress", shear, "Pa", ""}};
   return result;
 }
 
@@ -37,11 +37,8 @@ TEST(Comparison, HoldsTheDifferenceOfSchemesAgainstThatOfSamples) {
   // tau of the samples differs by 200 Pa, a deviation of sqrt(2) x 100 Pa; RD and RI differ by 30 Pa. sigma differs by
   // 60 Pa between RD and RI and by sqrt(2) x 200 Pa between samples.
   std::map<std::string, double> metrics;
-  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, {{"final_velocity", 2.0, "m/s", ""}}),
-                              slide(1200.0, 5400.0, {{"final_velocity", 2.0, "m/s", ""}})}},
-                 {"RD_ramp", {slide(1030.0, 5060.0, {{"final_velocity", 1.5, "m/s", ""}}),
-                              slide(1230.0, 5460.0, {{"final_velocity", 1.5, "m/s", ""}})}}},
-                metrics);
+  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0), slide(1200.0, 5400.0, 2.0)}},
+                 {"RD_ramp", {slide(1030.0, 5060.0, 1.5), slide(1230.0, 5460.0, 1.5)}}}, metrics);
   EXPECT_NEAR(metrics.at("path_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("peak_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("velocity_ratio"), 0.75, 1e-9);
