@@ -7,6 +7,7 @@
 
 #include "app/loading_table.hpp"
 #include "app/tables.hpp"
+#include "grains/measures.hpp"
 
 namespace flowslide {
 namespace {
@@ -39,21 +40,25 @@ StressHistory read_loading(const Configuration& configuration, const TableNames&
                            const std::filesystem::path& folder) {
   const Tables loading(configuration, tables);
   const std::string history = loading.text("history", {"constant", "rate", "pulse", "table"});
-  loading.accept({"rate", "duration", "final_change", "amplitude", "file"});
+  loading.accept({"change", "rate", "duration", "final_change", "amplitude", "file"});
   if (history == "rate") return read_constant_rate(loading);
   if (history == "pulse")
     return SinePulse{loading.quantity("amplitude", dimension::stress), loading.positive("duration", dimension::time)};
   if (history == "table") return read_loading_table(folder / loading.text("file"));
+  if (loading.has("change")) return StressTable{{0.0}, {loading.quantity("change", dimension::stress)}};
   return NoChange{};
 }
 
-RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains) {
+RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
+                        double initial_normal_stress) {
   const Tables coupling(configuration, tables);
   const std::string rule =
-      coupling.text("rate", {"global", "constant_inertial_number", "at_least_quasi_static"});
+      coupling.text("rate", {"global", "constant", "constant_inertial_number", "at_least_quasi_static"});
   coupling.accept({"inertial_number", "smallest_rate"});
   if (rule == "global") return GlobalRate{};
   const double number = coupling.number("inertial_number", Range::positive());
+  if (rule == "constant")
+    return ConstantStrainRate{shear_rate_for(number, grains.mean_diameter, grains.density, initial_normal_stress)};
   if (rule == "at_least_quasi_static") return GlobalRateAtLeastQuasiStatic{number, grains};
   return ConstantInertialNumber{number, coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()),
                                 grains};
@@ -83,7 +88,7 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
   SlideSettings settings;
   settings.slope = slope;
   settings.time_step = coupling.positive("time_step", dimension::time);
-  settings.rate = read_rate_rule(configuration, tables, grains);
+  settings.rate = read_rate_rule(configuration, tables, grains, initial_normal_stress(slope));
   settings.passing = read_strain_passing(configuration, tables);
   const bool euler = coupling.text("consolidation", {"exponential", "euler"}) == "euler";
   settings.consolidation = euler ? ConsolidationScheme::euler : ConsolidationScheme::exponential;
@@ -91,6 +96,8 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
   settings.residual = residual == "fades"      ? ResidualTreatment::fades
                       : residual == "left_out" ? ResidualTreatment::left_out
                                                : ResidualTreatment::stays;
+  if (coupling.has("initial_velocity"))
+    settings.initial_velocity = coupling.quantity("initial_velocity", dimension::velocity);
   const double shear_modulus = coupling.positive("shear_modulus", dimension::stress);
   settings.oedometric_modulus = coupling.positive("oedometric_modulus", dimension::stress);
   if (coupling.flag("allow_unstable")) return settings;

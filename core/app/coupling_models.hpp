@@ -14,21 +14,22 @@
 
 namespace flowslide {
 
-/// history = "constant", "rate" (rate; final_change or duration, if it ends), "pulse" (amplitude, duration) or "table"
-/// (file, from `folder`).
+/// history = "constant" (change, if it is not 0: applied at once), "rate" (rate; final_change or duration, if it ends),
+/// "pulse" (amplitude, duration) or "table" (file, from `folder`).
 StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
                            const std::filesystem::path& folder);
 
-/// rate = "global", "constant_inertial_number" (inertial_number, smallest_rate) or "at_least_quasi_static"
-/// (inertial_number).
-RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains);
+/// rate = "global", "constant" (that of inertial_number at the initial normal stress of the slope, Pa),
+/// "constant_inertial_number" (inertial_number, smallest_rate) or "at_least_quasi_static" (inertial_number).
+RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
+                        double initial_normal_stress);
 
 /// passing = "whole_increment" (eq. 15), "accumulate_and_reset" or "carry_remainder" (eq. 18; n_accum) or
 /// "variable_time_step" (eq. 17); local_time_step, most_steps. Whether dt_L suits the grains, check_time_step tells.
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables);
 
 /// The two above, time_step, consolidation = "euler" or "exponential", residual = "fades", "left_out" or "stays",
-/// shear_modulus and oedometric_modulus (upper bounds of the sample's). A dt_G beyond the limit of stability that
+/// shear_modulus and oedometric_modulus (upper bounds of the sample's), initial_velocity if there. A dt_G beyond the limit of stability that
 /// follows from them is refused unless allow_unstable. The loading is left to read_loading.
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains);

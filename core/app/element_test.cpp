@@ -89,8 +89,8 @@ Series run_element_test(DemSample& sample, const ElementTest& test, const RowObs
   Series series = element_test_series();
   const double time_step = sample.settings().time_step;
   std::int64_t done = 0;
+  sample.start_linear_at_first_strain();  // the first row is at rest
   for (const std::int64_t at : test.row_steps(time_step)) {
-    if (at > 0 && done == 0) sample.start_linear_velocity_field(test.shear_rate);  // the first row is at rest
     if (at > done) sample.strain({{test.shear_rate, 0.0}, at - done, time_step});
     done = at;
     const Assembly assembly = sample.assembly();

@@ -34,6 +34,12 @@ Table band_table(const std::string& case_name, const std::string& slide, std::si
 
 }  // namespace
 
+/// What is kept of a point, slide or element test.
+struct SlideCase::Records {
+  Series series, profiles;
+  Stop stop;
+};
+
 /// A sample, and what it lives on.
 struct SlideCase::Loaded {
   std::unique_ptr<Engine> engine;
@@ -69,7 +75,8 @@ void SlideCase::read(const Configuration& configuration) {
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
-      slides_.push_back(read_slide_point(configuration, name, replicate, samples, slope_, engine_, folder_));
+      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine_, folder_);
+      if (!read.test || !closed_form_) slides_.push_back(std::move(read));
     }
   }
 }
@@ -89,6 +96,11 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
   const SlideSettings& settings = planned.settings;
   if (!closed_form_) print_sample_plan(out, planned.sample, preparation_engine_);
   print_engine_plan(out, planned.sample.recipe, engine_, settings.passing.time_step);
+  if (planned.test) {
+    out << fmt::format("# {} steps of {} s\n", planned.test->steps(settings.passing.time_step),
+                       settings.passing.time_step);
+    return;
+  }
   out << fmt::format("# {:.0f} global steps of {} s, about {:.3g} local steps of {} s\n",
                      std::ceil(planned.stop.end_time / settings.time_step), settings.time_step,
                      predicted_steps(settings, planned.stop), settings.passing.time_step);
@@ -109,6 +121,7 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   loaded.engine = make_engine(engine_, run.output.file(slide.point.name + "." + engine_ + ".log"));
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
                                             EngineSettings{material_, slide.settings.passing.time_step, 0.0});
+  if (slide.linear_start) grains->start_linear_at_first_strain();
   loaded.grains = grains.get();
   loaded.sample = std::move(grains);
   loaded.engine_name = loaded.engine->name();
@@ -116,14 +129,20 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   return loaded;
 }
 
-void SlideCase::run(const Point& point, const PointRun& run) const {
-  const SlidePoint& running = slide(point.name);
-  Loaded loaded = load(running, run);
+SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
+  Progress progress(running.point.name, running.test->steps(running.settings.passing.time_step), run.progress);
+  const auto observe = [&](std::int64_t steps, const Assembly&, const Series&) { progress.update(steps); };
+  Records records{run_element_test(*loaded.grains, *running.test, observe), {}, Stop::end_shear_strain};
+  progress.finish();
+  return records;
+}
+
+SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
   const GrainScale grains{lattice_packing(running.sample.recipe.packing).mean_diameter(), material_.density};
   Slide sliding(running.settings, *loaded.sample);
   SlideRecord record{running.rows, grains};
   ProfileRecord profile_record(running.profiles);
-  Progress progress(point.name, std::llround(running.stop.end_time / running.settings.time_step), run.progress);
+  Progress progress(running.point.name, std::llround(running.stop.end_time / running.settings.time_step), run.progress);
   SlideHooks hooks;
   hooks.row = [&](const Slide& now, const Series&) {
     progress.update(now.state().exchanges, state_text(now.state()));
@@ -133,10 +152,16 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
     return true;
   };
   const Stop stop = run_slide(sliding, running.stop, record, hooks);
+  progress.finish(state_text(sliding.state()));
+  return {std::move(record.series), profile_record.series(), stop};
+}
 
-  const Series profiles = profile_record.series();
-  Result result{run.provenance, run.configuration, run.configuration_hash, record.series, loaded.metrics};
-  for (const Metric& metric : slide_metrics({running, record.series, profiles, stop}))
+void SlideCase::run(const Point& point, const PointRun& run) const {
+  const SlidePoint& running = slide(point.name);
+  Loaded loaded = load(running, run);
+  const auto [series, profiles, stop] = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
+  Result result{run.provenance, run.configuration, run.configuration_hash, series, loaded.metrics};
+  for (const Metric& metric : slide_metrics({running, series, profiles, stop}))
     if (std::isfinite(metric.value)) result.metrics.push_back(metric);
   result.provenance.engine = loaded.engine_name;
   result.provenance.engine_version = loaded.engine_version;
@@ -149,7 +174,6 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
     if (!profiles.columns.empty()) write_table(run.output.file(point.name + "_profiles.dat"), table);
     write_result(run.output.file(point.name + ".h5"), result);
   });
-  progress.finish(state_text(sliding.state()));
 }
 
 Ensembles SlideCase::results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const {

@@ -2,7 +2,8 @@
 // What all cases that slide share. A case derives from SlideCase and adds the numbers that its claims are about; the
 // rest stands in its case.toml: the slides as [point.<name>] (see read_slide_point), as many replicates of each as
 // `replicates` says (at most [point.<name>] `replicates` of them), every one on a sample of its own and a point of its
-// own, so that they run side by side and are kept one by one.
+// own, so that they run side by side and are kept one by one. Element tests of the samples alone may stand beside
+// them; on a closed-form sample these are left out.
 #pragma once
 #include <functional>
 #include <memory>
@@ -14,10 +15,10 @@
 
 namespace flowslide {
 
-/// What came out of one slide.
+/// What came out of one slide, or of an element test beside it.
 struct SlideOutcome {
   const SlidePoint& point;
-  const Series& series;     ///< see slide_series
+  const Series& series;     ///< see slide_series, or element_test_series
   const Series& profiles;   ///< see ProfileRecord; without columns if none were asked for
   Stop stop;                ///< why it ended
 };
@@ -41,7 +42,7 @@ class SlideCase : public Case {
   void finish(const OutputFolder& output) const override;
 
  protected:
-  /// The numbers of one slide; those that are not finite are left out.
+  /// The numbers of one slide (or test); those that are not finite are left out.
   virtual std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const = 0;
   /// Numbers about several slides, from those that have been run. `metrics` holds all others already.
   virtual void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const = 0;
@@ -57,8 +58,11 @@ class SlideCase : public Case {
 
  private:
   struct Loaded;
+  struct Records;
   const SlidePoint& slide(const std::string& point) const;
   Loaded load(const SlidePoint& slide, const PointRun& run) const;
+  Records shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
+  Records slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
 
   CaseDescription description_;
   std::filesystem::path folder_;

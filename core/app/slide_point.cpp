@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/coupling_models.hpp"
+#include "app/element_test_model.hpp"
 #include "app/plan.hpp"
 #include "grains/packing.hpp"
 
@@ -22,6 +23,32 @@ const SampleSpecification& sample_named(const Configuration& configuration, cons
   for (const SampleSpecification& sample : samples) names.push_back(sample.name);
   const std::string name = configuration.text(key, names);
   return samples[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+}
+
+void check_local_time_step(const Configuration& configuration, const TableNames& coupling, const SampleRecipe& recipe,
+                           const std::string& engine) {
+  if (seconds_per_grain_and_step(engine) > 0.0)
+    check_time_step(configuration, Tables(configuration, coupling).key("local_time_step"),
+                    recipe.packing.smallest_diameter, recipe.material);
+}
+
+double predicted_seconds(const SampleRecipe& recipe, double steps, const std::string& engine) {
+  const auto& counts = recipe.packing.counts;
+  const double sites = std::max(1.0, static_cast<double>(counts[0]) * counts[1] * counts[2]);
+  return steps * sites * seconds_per_grain_and_step(engine);
+}
+
+void read_test(const Configuration& configuration, const std::string& engine, SlidePoint& read) {
+  const std::string table = "point." + read.name;
+  const TableNames coupling{table + ".coupling", "coupling"};
+  read.test = read_element_test(configuration, {table, "element_test"}, read.sample.recipe);
+  read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
+  check_local_time_step(configuration, coupling, read.sample.recipe, engine);
+  const auto steps = static_cast<double>(read.test->steps(read.settings.passing.time_step));
+  read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
+                                       read.sample.recipe.packing.seed, read.test->shear_rate,
+                                       100.0 * read.test->final_strain);
+  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, engine);
 }
 
 std::string describe(const SlidePoint& point, const std::string& scheme) {
@@ -40,6 +67,12 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.name = name;
   read.replicate = replicate;
   read.sample = sample_named(configuration, table + "sample", samples);
+  read.point.name = replicate_name(name, replicate);
+  read.point.figures = configuration.texts(table + "figures");
+  if (configuration.has(table + "final_strain")) {
+    read_test(configuration, engine, read);
+    return read;
+  }
   const SampleRecipe& recipe = read.sample.recipe;
   const std::string scheme = configuration.text(table + "scheme", configuration.subtables("scheme"));
   const TableNames coupling{table + "coupling", "scheme." + scheme, "coupling"};
@@ -51,17 +84,15 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   const GrainScale grains{lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
   read.settings = read_coupling(configuration, coupling, own_slope, grains);
   read.settings.loading = read_loading(configuration, {table + "loading", "loading"}, folder);
-  if (seconds_per_grain_and_step(engine) > 0.0)
-    check_time_step(configuration, Tables(configuration, coupling).key("local_time_step"),
-                    recipe.packing.smallest_diameter, recipe.material);
+  check_local_time_step(configuration, coupling, recipe, engine);
+  const Tables settings(configuration, coupling);
+  read.linear_start = settings.has("linear_start") && settings.flag("linear_start");
   read.stop = read_stop(configuration, {table + "stop", "stop"});
   read.rows = read_row_spacing(configuration, {table + "rows", "rows"});
   read.profiles = read_profile_plan(configuration, table + "profile_strains");
 
-  const double sites = std::max<double>(1.0, static_cast<double>(recipe.packing.counts[0]) * recipe.packing.counts[1] *
-                                                 recipe.packing.counts[2]);
-  read.point = {replicate_name(name, replicate), configuration.texts(table + "figures"), describe(read, scheme),
-                predicted_steps(read.settings, read.stop) * sites * seconds_per_grain_and_step(engine)};
+  read.point.description = describe(read, scheme);
+  read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), engine);
   return read;
 }
 
@@ -79,7 +110,10 @@ double predicted_steps(const SlideSettings& settings, const StopConditions& stop
     const double first = rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope));
     duration = strain_at_peak / first + strain / std::max(rule->smallest_rate, 1e-3 * first);
   }
-  return duration / settings.passing.time_step;
+  if (const auto* rule = std::get_if<ConstantStrainRate>(&settings.rate)) duration = strain / rule->rate;
+  const bool waits = std::holds_alternative<AccumulateAndReset>(settings.passing.rule) ||
+                     std::holds_alternative<CarryRemainder>(settings.passing.rule);
+  return duration / settings.passing.time_step + (waits ? 0.0 : time / settings.time_step);
 }
 
 }  // namespace flowslide

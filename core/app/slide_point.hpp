@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case_program.hpp"
+#include "app/element_test.hpp"
 #include "app/models.hpp"
 #include "app/profile_record.hpp"
 #include "app/slide_run.hpp"
 
 namespace flowslide {
 
-/// One slide of a case, or a replicate of it on another sample: a table [point.<name>].
+/// One slide of a case, or an element test beside it, or a replicate on another sample: a table [point.<name>].
 struct SlidePoint {
   Point point;                 ///< named after the table, and the replicate
   std::string name;            ///< of the table
   int replicate = 0;           ///< from 0
   SampleSpecification sample;
-  SlideSettings settings;
+  std::optional<ElementTest> test;  ///< of the sample alone, in place of a slide; it needs grains
+  SlideSettings settings;           ///< of a test, the local time step alone
+  bool linear_start = false;        ///< see DemSample::start_linear_at_first_strain
   StopConditions stop;
   RowSpacing rows;
   ProfilePlan profiles;        ///< without strains none are taken
@@ -25,8 +29,10 @@ struct SlidePoint {
 
 /// Reads [point.<name>]: figures, sample (a key below [sample]), scheme (a key below [scheme]), hydraulic_conductivity
 /// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
-/// [scheme.<scheme>] between those of coupling. `samples` are those of the replicate; `engine` is that of the slide, a
-/// closed-form sample among them, and decides the predicted time. Throws ConfigurationError.
+/// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
+/// an element test: [element_test] has what the point leaves out (see read_element_test), coupling the time step.
+/// `samples` are those of the replicate; `engine` is that of the slide, a closed-form sample among them, and decides the
+/// predicted time. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine, const std::filesystem::path& folder);

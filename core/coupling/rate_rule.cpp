@@ -17,6 +17,10 @@ void check(double inertial_number, const GrainScale& grains) {
 
 void check(const GlobalRate&) {}
 
+void check(const ConstantStrainRate& rule) {
+  require(rule.rate > 0.0, "strain rate to shear at", rule.rate, "> 0 1/s", "0.06 1/s is quasi-static.");
+}
+
 void check(const ConstantInertialNumber& rule) {
   check(rule.inertial_number, rule.grains);
   require(rule.smallest_rate >= 0.0, "smallest strain rate", rule.smallest_rate, ">= 0 1/s",
@@ -31,6 +35,8 @@ double rate_at(double inertial_number, const GrainScale& grains, double pressure
 }
 
 double asked(const GlobalRate&, double global_rate, double) { return global_rate; }
+
+double asked(const ConstantStrainRate& rule, double, double) { return rule.rate; }
 
 double asked(const ConstantInertialNumber& rule, double, double pressure) {
   return std::max(rate_at(rule.inertial_number, rule.grains, pressure), rule.smallest_rate);

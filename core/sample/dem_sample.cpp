@@ -34,6 +34,7 @@ void DemSample::start_linear_velocity_field(double shear_rate) {
 
 CellStress DemSample::strain(const LocalRun& run) {
   set_time_step(run.time_step);
+  if (steps_ == 0 && linear_at_first_strain_) start_linear_velocity_field(run.rate.shear);
   const double height = engine_.cell().height();
   BoundaryMotion motion;
   motion.top_velocity = {run.rate.shear * height, 0.0, -run.rate.compression * height};

@@ -17,6 +17,8 @@ class DemSample : public Sample {
   /// the spin of that field, half its curl: a sudden start of the top alone would send a wave through the sample, and
   /// grains without spin would all be twisted at once.
   void start_linear_velocity_field(double shear_rate);
+  /// Does so before the first step, at the rate of the first strain.
+  void start_linear_at_first_strain() { linear_at_first_strain_ = true; }
 
   /// A time step other than that of the settings is set first; std::invalid_argument if it is not possible.
   CellStress strain(const LocalRun& run) override;
@@ -39,6 +41,7 @@ class DemSample : public Sample {
   std::uint64_t grains_;
   double solid_volume_;
   double smallest_radius_;
+  bool linear_at_first_strain_ = false;
   double shear_strain_ = 0.0;
   double time_ = 0.0;
   std::int64_t steps_ = 0;

@@ -5,6 +5,7 @@
 
 #include "app/error.hpp"
 #include "app/models.hpp"
+#include "grains/measures.hpp"
 #include "messages.hpp"
 
 namespace flowslide {
@@ -71,6 +72,8 @@ std::string loading_complaint(const std::string& table) {
 
 TEST(ReadLoading, TakesEveryHistory) {
   EXPECT_TRUE(std::holds_alternative<NoChange>(loading_of("history = \"constant\"")));
+  const StressHistory at_once = loading_of("history = \"constant\"\nchange = \"6 kPa\"");
+  for (const double time : {0.0, 10.0}) EXPECT_EQ(stress_change(at_once, time), 6e3);
   const auto pulse = std::get<SinePulse>(loading_of("history = \"pulse\"\namplitude = \"3 kPa\"\nduration = \"2 s\""));
   EXPECT_EQ(pulse.amplitude, 3e3);
   EXPECT_EQ(pulse.duration, 2.0);
@@ -116,6 +119,8 @@ TEST(ReadCoupling, TakesEveryValue) {
   EXPECT_EQ(settings.consolidation, ConsolidationScheme::exponential);
   EXPECT_EQ(settings.residual, ResidualTreatment::fades);
   EXPECT_EQ(settings.oedometric_modulus, 40e6);
+  EXPECT_EQ(settings.initial_velocity, 0.0);
+  EXPECT_EQ(coupling_of(with("n_accum = 10", "n_accum = 10\ninitial_velocity = \"1 cm/s\"")).initial_velocity, 0.01);
 }
 
 TEST(ReadCoupling, TakesEveryChoice) {
@@ -124,6 +129,9 @@ TEST(ReadCoupling, TakesEveryChoice) {
   };
   EXPECT_TRUE(std::holds_alternative<GlobalRate>(rate("global")));
   EXPECT_TRUE(std::holds_alternative<GlobalRateAtLeastQuasiStatic>(rate("at_least_quasi_static")));
+  // I = 1e-4 at the sigma_0 of eq. 9.
+  EXPECT_EQ(std::get<ConstantStrainRate>(rate("constant")).rate,
+            shear_rate_for(1e-4, 6e-3, 2650.0, initial_normal_stress(read_slope(with()))));
   const auto rule = [](const std::string& name) {
     return coupling_of(with("\"carry_remainder\"", '"' + name + '"')).passing.rule;
   };
@@ -136,7 +144,7 @@ TEST(ReadCoupling, TakesEveryChoice) {
 }
 
 TEST(ReadCoupling, LeavesNoKeyUnknown) {
-  for (const char* rate : {"global", "constant_inertial_number", "at_least_quasi_static"}) {
+  for (const char* rate : {"global", "constant", "constant_inertial_number", "at_least_quasi_static"}) {
     const Configuration configuration = with("\"constant_inertial_number\"", std::string("\"") + rate + '"');
     coupling_of(configuration);
     read_loading(configuration, "loading", "");

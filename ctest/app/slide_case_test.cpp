@@ -111,6 +111,34 @@ TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
   EXPECT_TRUE(fs::exists(output() / "RD_profiles_band.dat"));
 }
 
+TEST_F(SlideProgram, ShearsSamplesAloneBesideTheSlides) {
+  scratch_.write("case.toml", slide_case_text() + R"([point.alone]
+figures = "12"
+sample = "loose"
+shear_rate = "5 1/s"
+final_strain = 1e-3
+[element_test]
+rows = 10
+[scale.quick]
+)");
+  ASSERT_EQ(run({"--engine", "native", "--point", "alone", "--dry-run"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s\n");
+  ASSERT_EQ(run({"--list"}), 0) << error_;  // on a closed-form sample there is none
+  EXPECT_EQ(text_.find("alone"), std::string::npos);
+}
+
+TEST_F(SlideProgram, StartsGrainsLinear) {
+  // The same sample by the same steps: only the field that it starts from differs, and with it the first stress.
+  const auto first_stress = [&](const std::string& linear) {
+    std::filesystem::remove_all(output());
+    EXPECT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
+                   "rows.row_interval=1e-3", "--set", "coupling.linear_start=" + linear, "--set",
+                   "coupling.initial_velocity=0.1"}), 0) << error_;
+    return read_result(output() / "RD_r2.h5").series.column("shear_stress").values.at(1);
+  };
+  EXPECT_NE(first_stress("true"), first_stress("false"));
+}
+
 TEST_F(SlideProgram, RefusesUnstableStepsUnlessToldOtherwise) {
   // omega = sqrt(G/(h_s m)) with G = 40 MPa: 2/omega = 7.87e-3 s.
   EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3"}), 2);

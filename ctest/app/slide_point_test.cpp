@@ -66,6 +66,42 @@ TEST(SlidePoint, PredictsItsStepsOnASampleWithoutStrength) {
   EXPECT_NEAR(predicted_steps(slow.settings, slow.stop), distance / 0.2 / 2.0 / 1e-5, 0.05 * distance / 4e-6);
 }
 
+TEST(SlidePoint, IsAnElementTestWhereItNamesAFinalStrainAndNoScheme) {
+  const SlidePoint point = read(slide_case_text() + R"([point.alone]
+figures = "6"
+sample = "loose"
+inertial_number = 1e-2
+final_strain = 0.05
+coupling.local_time_step = "5e-6 s"
+[element_test]
+rows = 50
+)", "alone", 1);
+  ASSERT_TRUE(point.test);
+  EXPECT_EQ(point.test->rows, 50);
+  EXPECT_EQ(point.settings.passing.time_step, 5e-6);
+  EXPECT_EQ(point.point.name, "alone_r2");
+  EXPECT_GT(point.point.predicted_seconds, 0.0);
+  EXPECT_FALSE(read(slide_case_text(), "RD").test);
+}
+
+TEST(SlidePoint, MayStartLinear) {
+  EXPECT_FALSE(read(slide_case_text(), "RD").linear_start);
+  const std::string own = "[point.own]\nfigures = \"6\"\nsample = \"loose\"\nscheme = \"RD\"\n";
+  EXPECT_TRUE(read(slide_case_text() + own + "coupling.linear_start = true\n", "own").linear_start);
+}
+
+TEST(SlidePoint, PredictsAStepForEachIncrementThatIsPassedAtOnce) {
+  SlidePoint point = read(slide_case_text(), "RD");
+  const double waiting = predicted_steps(point.settings, point.stop);
+  point.settings.passing.rule = VariableTimeStep{};
+  EXPECT_NEAR(predicted_steps(point.settings, point.stop) - waiting, point.stop.end_time / 1e-4, 100.0);
+  // At a constant rate the strain counts, not the time.
+  point.settings.rate = ConstantStrainRate{1.0};
+  const double slow = predicted_steps(point.settings, point.stop);
+  point.settings.rate = ConstantStrainRate{2.0};
+  EXPECT_LT(predicted_steps(point.settings, point.stop), 0.6 * slow);
+}
+
 TEST(SlidePoint, RefusesWhatIsNotThere) {
   const auto complaint = [](const std::string& more) {
     return message_of<ConfigurationError>([&] { read(slide_case_text() + more, "bad"); });

@@ -16,6 +16,11 @@ TEST(RateRule, GlobalRateIsThatOfTheSlope) {
   EXPECT_EQ(rate_asked(GlobalRate{}, 0.0, 28e3), 0.0);
 }
 
+TEST(RateRule, ConstantStrainRateKnowsNeitherSlopeNorPressure) {
+  for (const double pressure : {-10.0, 0.0, 28e3}) EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 5.0, pressure), 0.06);
+  EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 0.0, 28e3), 0.06);
+}
+
 TEST(RateRule, ConstantInertialNumberFollowsThePressure) {
   const ConstantInertialNumber rule{1e-4, 0.0, {6e-3, 2650.0}};
   // 0.06 1/s is I = 1.1e-4 at 28 kPa (paper, sec. 2.2.1), to the two digits printed.
@@ -42,6 +47,8 @@ TEST(RateRule, AtLeastQuasiStaticIsTheFasterOfTheTwo) {
 TEST(RateRule, RefusesValuesOutOfRange) {
   EXPECT_NO_THROW(validate(RateRule{GlobalRate{}}));
   EXPECT_NO_THROW(validate(RateRule{ConstantInertialNumber{}}));
+  EXPECT_THROW(validate(RateRule{ConstantStrainRate{0.0}}), std::invalid_argument);
+  EXPECT_THROW(validate(RateRule{ConstantStrainRate{std::nan("")}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{0.0, 0.5, {}}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{1e-4, -0.5, {}}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{1e-4, 0.5, {0.0, 2650.0}}}), std::invalid_argument);

@@ -77,5 +77,16 @@ TEST_F(DemSampleTest, ALinearVelocityFieldReachesFromTheBottomToTheTop) {
   }
 }
 
+TEST_F(DemSampleTest, TheLinearVelocityFieldMayWaitForTheFirstStrain) {
+  DemSample at_once(*engine_, touching_lattice(), settings_);
+  at_once.start_linear_velocity_field(3.0);
+  at_once.strain({{3.0, 0.0}, 20, step});
+  const double expected = at_once.strain({{1.0, 0.0}, 20, step}).shear;
+  DemSample waiting(*engine_, touching_lattice(), settings_);
+  waiting.start_linear_at_first_strain();
+  waiting.strain({{3.0, 0.0}, 20, step});
+  EXPECT_EQ(waiting.strain({{1.0, 0.0}, 20, step}).shear, expected);  // and the second strain starts nothing
+}
+
 }  // namespace
 }  // namespace flowslide

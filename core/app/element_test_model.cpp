@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/element_test_model.hpp"
+
+#include "grains/measures.hpp"
+#include "grains/packing.hpp"
+
+namespace flowslide {
+
+ElementTest read_element_test(const Configuration& configuration, const TableNames& tables,
+                              const SampleRecipe& recipe) {
+  const Tables table(configuration, tables);
+  ElementTest test;
+  if (table.has("inertial_number")) {
+    const double number = table.number("inertial_number", Range::positive());
+    const double mean_diameter = lattice_packing(recipe.packing).mean_diameter();
+    test.shear_rate = shear_rate_for(number, mean_diameter, recipe.material.density, recipe.normal_stress);
+    if (table.has("shear_rate"))
+      table.refuse("inertial_number", "the shear rate is given as well", "leave one of them out");
+  } else {
+    test.shear_rate = table.positive("shear_rate", dimension::rate);
+  }
+  test.final_strain = table.number("final_strain", Range::above_up_to(0.0, 100.0));
+  test.rows = static_cast<int>(table.integer("rows", Range::between(10, 100000)));
+  return test;
+}
+
+}  // namespace flowslide
