@@ -31,8 +31,8 @@ struct SlidePoint {
 /// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
 /// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
 /// an element test: [element_test] has what the point leaves out (see read_element_test), coupling the time step.
-/// `samples` are those of the replicate; `engine` is that of the slide, a closed-form sample among them, and decides the
-/// predicted time. Throws ConfigurationError.
+/// `samples` are those of the replicate; `engine` is that of the slide, a closed-form sample among them, and decides
+/// the predicted time. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine, const std::filesystem::path& folder);

@@ -14,14 +14,14 @@ struct GrainScale {
 /// RD: the rate of the slope, ||d(epsilon_G)||/dt_G (paper, sec. 2.3).
 struct GlobalRate {};
 
-/// The same rate all the time, as in an element test of the sample alone: Figs 6 and 7, that of an inertial number at the
-/// initial stress.
+/// The same rate all the time, as in an element test of the sample alone: in Figs 6 and 7 that of an inertial number at
+/// the initial stress.
 struct ConstantStrainRate {
   double rate = 0.06;  ///< 1/s, > 0
 };
 
-/// RI: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to 0 with p, which would
-/// take for ever: it is never below `smallest_rate`, and what was used is the rate asked for.
+/// RI: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to 0 with p, which
+/// would take for ever: it is never below `smallest_rate`, and what was used is the rate asked for.
 struct ConstantInertialNumber {
   double inertial_number = 1e-4;  ///< I, > 0
   double smallest_rate = 0.5;     ///< 1/s, >= 0

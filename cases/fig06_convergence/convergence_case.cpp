@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "convergence_case.hpp"
+
+#include "convergence.hpp"
+
+namespace flowslide {
+
+ConvergenceCase::ConvergenceCase()
+    : SlideCase({"fig06_convergence", "A slope on a sample of given inertial number as dt_G shrinks (Figs. 6 and 7)",
+                 FLOWSLIDE_VERSION, {"Fig. 6", "Fig. 7"}, {}},
+                FLOWSLIDE_CASE_FOLDER) {}
+
+std::vector<Metric> ConvergenceCase::slide_metrics(const SlideOutcome& outcome) const {
+  return peak_metrics(outcome.series);
+}
+
+void ConvergenceCase::compare(const Ensembles& slides, std::map<std::string, double>& metrics) const {
+  compare_with_grains(slides, metrics);
+}
+
+}  // namespace flowslide

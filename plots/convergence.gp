@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Figures 6 and 7, drawn for fig06.gp and fig07.gp: two inertial numbers in columns; stress path, stress-strain response
+# and velocity in rows. Colours are dt_G. `ways` are names of ways to pass strain on, each followed by its dash type: the
+# first is drawn with every dt_G, the others with the largest and the smallest. `way_label` has their labels.
+steps = "1e-3 1e-4 1e-5 1e-6"
+level(c) = c == 1 ? "low" : "high"
+way(w) = word(ways, 2*w - 1)
+dash(w) = int(word(ways, 2*w))
+ways_drawn = words(ways)/2
+# The curves of a panel: the way and the dt_G of each, by their numbers.
+curves = "1 1 1 2 1 3 1 4"
+do for [w = 2:ways_drawn] { curves = curves.sprintf(" %d 1 %d 4", w, w) }
+curves_drawn = words(curves)/2
+w_of(k) = int(word(curves, 2*k - 1))
+i_of(k) = int(word(curves, 2*k))
+file(c, k) = way(w_of(k))."_".level(c)."_".word(steps, i_of(k)).".dat"
+tables = ""
+do for [c = 1:2] {
+  tables = tables." DEM_".level(c).".dat DEM_".level(c)."_over_shear_strain.dat"
+  do for [k = 1:curves_drawn] { tables = tables." ".file(c, k) }
+}
+load here."style.gp"
+load here."slides.gp"
+
+array colour[4] = [orange, green, blue, purple]
+array label[4] = ["10^{−3} s", "10^{−4} s", "10^{−5} s", "10^{−6} s"]
+number(c) = c == 1 ? "10^{−4}" : "10^{−2}"
+slide(c, k) = data(file(c, k))
+alone(c) = data("DEM_".level(c).".dat")
+spread(c) = data("DEM_".level(c)."_over_shear_strain.dat")
+array letters[6] = ["A", "B", "C", "D", "E", "F"]
+title(row, c, what) = panel(letters[2*row + c - 2], what.", {/:Italic I} = ".number(c))
+
+do for [format in "png pdf"] {
+  eval terminal(format, 14, 17.5)
+  set output picture.".".format
+  set multiplot layout 3, 2
+
+  set xrange [0:32]; set yrange [0:7]
+  set xlabel "normal stress {/:Italic σ} (kPa)"
+  set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
+  do for [c = 1:2] {
+    set title title(1, c, "stress path")
+    if (c == 1) { set key left top Left reverse } else { unset key }
+    plot for [k = 1:curves_drawn] slide(c, k) \
+           using (kilo * column(normal_stress)):(kilo * column(shear_stress)) \
+           with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
+         alone(c) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
+           with lines linewidth 1.2 dashtype 2 linecolor rgb black title "pure DEM", \
+         for [i = 1:4] keyentry with lines linewidth 1.2 linecolor rgb colour[i] title "{/:Italic Δt_G} = ".label[i]
+  }
+
+  set xlabel "shear strain {/:Italic γ} (%)"
+  do for [c = 1:2] {
+    set title title(2, c, "stress-strain response")
+    set xrange [0:(c == 1 ? 2 : 5)]
+    if (c == 1) { set key right top noreverse Right } else { unset key }
+    plot spread(c) using (percent * column(1)):(kilo * column(6)):(kilo * column(7)) \
+           with filledcurves linecolor rgb grey title "all samples alone", \
+         for [k = 1:curves_drawn] slide(c, k) \
+           using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
+           with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
+         alone(c) using (percent * column(column_strain)):(kilo * column(column_shear)) \
+           with lines linewidth 1.2 dashtype 2 linecolor rgb black notitle, \
+         for [w = 1:ways_drawn] keyentry with lines linewidth 1.2 dashtype dash(w) linecolor rgb black title way_label[w]
+  }
+  unset key
+
+  set xlabel "time {/:Italic t} (s)"
+  set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
+  set xrange [0:0.1]; set yrange [0:0.25]; set ytics 0.05
+  do for [c = 1:2] {
+    set title title(3, c, "sliding velocity")
+    plot for [k = 1:curves_drawn] slide(c, k) using (column(time)):(column(velocity)) \
+           with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle
+  }
+  set ytics autofreq
+  unset multiplot
+  set output
+}

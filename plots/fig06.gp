@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Figure 6: a slope on a sample of given inertial number by eq. 15, with dt_G from 1e-3 to 1e-6 s, beside the sample alone.
+command = "./reproduce fig06"
+script = ARG0; folder = ARG1; picture = ARG2
+here = script[1:strlen(script) - strlen("fig06.gp")]
+ways = "RI 1"
+array way_label[1] = ["eq. 15"]
+load here."convergence.gp"

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Figure 7: the same by eq. 18 as printed, and beside it with its remainder carried and by eq. 17.
+command = "./reproduce fig07"
+script = ARG0; folder = ARG1; picture = ARG2
+here = script[1:strlen(script) - strlen("fig07.gp")]
+ways = "reset 1 carry 4 variable 3"
+array way_label[3] = ["eq. 18 as printed", "remainder carried", "eq. 17"]
+load here."convergence.gp"
