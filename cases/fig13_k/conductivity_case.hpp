@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "app/slide_case.hpp"
+
+namespace flowslide {
+
+/// Fig. 13: runout after a sine pulse of the driving stress, by RD and by RI, at several hydraulic conductivities.
+/// Slides are named "<scheme>_<k in m/s>", such as "RI_4e-5".
+class ConductivityCase : public SlideCase {
+ public:
+  ConductivityCase();
+  /// And sweep.dat: velocity and runout over the conductivity.
+  void finish(const OutputFolder& output) const override;
+
+ protected:
+  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;
+  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
+  std::vector<std::string> abscissas() const override { return {"displacement", "time"}; }
+};
+
+}  // namespace flowslide

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "critical_conductivity.hpp"
+
+#include <cmath>
+#include <limits>
+#include <list>
+#include <set>
+#include <vector>
+
+namespace flowslide {
+namespace {
+
+constexpr double unchanged = 0.1;  ///< share by which a velocity is visibly another
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
+  std::vector<double> parameters;
+  for (const SweepMember& member : sweep) parameters.push_back(member.parameter);
+  return parameters;
+}
+
+/// The sweep of one replicate, as ensembles of one; it lives as long as `kept`.
+std::vector<SweepMember> sweep_of_replicate(const std::vector<SweepMember>& sweep, int replicate,
+                                            std::list<Ensemble>& kept) {
+  std::vector<SweepMember> own;
+  for (const SweepMember& member : sweep)
+    for (const Result& result : *member.ensemble)
+      if (result.provenance.replicate == replicate)
+        own.push_back({member.parameter, &kept.emplace_back(Ensemble{result})});
+  return own;
+}
+
+/// |v/v at k = 0 - 1| at the end of the pulse, of the medians; not numbers without k = 0.
+std::vector<double> changes(const std::vector<SweepMember>& sweep) {
+  std::vector<double> all = medians_along(sweep, "velocity_after_pulse");
+  const double first = sweep.empty() || sweep.front().parameter != 0.0 ? nothing : all.front();
+  for (double& value : all) value = std::abs(value / first - 1.0);
+  return all;
+}
+
+void add_critical(const std::vector<SweepMember>& sweep, std::map<std::string, double>& metrics) {
+  std::set<int> replicates;
+  for (const SweepMember& member : sweep)
+    for (const Result& result : *member.ensemble) replicates.insert(result.provenance.replicate);
+  std::vector<double> middles, bounds;
+  for (const int replicate : replicates) {
+    const auto [lower, upper] = critical_conductivity(sweep, replicate);
+    if (!(lower > 0.0 && std::isfinite(upper))) continue;
+    middles.push_back(std::sqrt(lower * upper));
+    bounds.insert(bounds.end(), {lower, upper});
+  }
+  if (middles.empty()) return;
+  metrics["critical_conductivity"] = statistics_of(middles).median;
+  metrics["critical_conductivity_lower"] = statistics_of(bounds).lowest;
+  metrics["critical_conductivity_upper"] = statistics_of(bounds).highest;
+}
+
+}  // namespace
+
+CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep, int replicate) {
+  std::list<Ensemble> kept;
+  const auto own = sweep_of_replicate(sweep, replicate, kept);
+  const std::vector<double> change = changes(own);
+  CriticalConductivity critical{nothing, nothing};
+  for (std::size_t i = 0; i < own.size() && change[i] <= unchanged; ++i) critical.lower = own[i].parameter;
+  for (std::size_t i = own.size(); i-- > 0 && change[i] > unchanged;) critical.upper = own[i].parameter;
+  return critical;
+}
+
+void compare_conductivities(const Ensembles& slides, std::map<std::string, double>& metrics) {
+  const auto rd = sweep_of(slides, "RD_"), ri = sweep_of(slides, "RI_");
+  metrics["RD_velocity_order"] = rank_correlation(parameters_of(rd), medians_along(rd, "largest_velocity"));
+  metrics["RD_runout_order"] = rank_correlation(parameters_of(rd), medians_along(rd, "runout"));
+  add_critical(ri, metrics);
+  if (!metrics.contains("critical_conductivity")) return;
+  const std::vector<double> change = changes(ri);
+  double below = nothing, stopped = nothing;
+  for (std::size_t i = 0; i < ri.size(); ++i) {
+    const double k = ri[i].parameter;
+    if (k > 0.0 && k < metrics.at("critical_conductivity")) below = std::fmax(below, change[i]);
+    if (k > metrics.at("critical_conductivity_upper"))
+      stopped = std::fmin(stopped, statistics_of(values_of(*ri[i].ensemble, "sliding_stopped")).mean);
+  }
+  metrics["RI_change_below"] = below;
+  metrics["RI_stopped_above"] = stopped;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "critical_conductivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace flowslide {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+/// Samples that have these velocities after the pulse and at most; those of none have stopped.
+Ensemble samples(const std::vector<double>& velocities) {
+  Ensemble all(velocities.size());
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    all[i].provenance.replicate = static_cast<int>(i);
+    all[i].metrics = {{"sliding_stopped", velocities[i] > 0.0 ? 0.0 : 1.0, "1", ""},
+                      {"velocity_after_pulse", velocities[i], "m/s", ""},
+                      {"largest_velocity", velocities[i], "m/s", ""},
+                      {"runout", 2.0 * velocities[i], "m", ""}};
+  }
+  return all;
+}
+
+TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
+  const Ensembles slides{{"RI_0", samples({2.0, 1.0})},
+                         {"RI_1e-5", samples({1.9, 0.95})},
+                         {"RI_2e-5", samples({2.1, 0.5})},
+                         {"RI_4e-5", samples({0.5, 0.2})},
+                         {"RI_1e-4", samples({0.0, 0.0})}};
+  const auto sweep = sweep_of(slides, "RI_");
+  EXPECT_EQ(critical_conductivity(sweep, 0).lower, 2e-5);
+  EXPECT_EQ(critical_conductivity(sweep, 0).upper, 4e-5);
+  EXPECT_EQ(critical_conductivity(sweep, 1).lower, 1e-5);
+  EXPECT_EQ(critical_conductivity(sweep, 1).upper, 2e-5);
+  std::map<std::string, double> metrics;
+  compare_conductivities(slides, metrics);
+  EXPECT_NEAR(metrics.at("critical_conductivity"), 0.5 * (std::sqrt(8e-10) + std::sqrt(2e-10)), rounding);
+  EXPECT_EQ(metrics.at("critical_conductivity_lower"), 1e-5);
+  EXPECT_EQ(metrics.at("critical_conductivity_upper"), 4e-5);
+  EXPECT_NEAR(metrics.at("RI_change_below"), 2.0 / 15.0, rounding);  // of the medians: 1.5 to 1.3 at 2e-5
+  EXPECT_EQ(metrics.at("RI_stopped_above"), 1.0);
+}
+
+TEST(CriticalConductivity, IsWideWhereTheOrderIsMixed) {
+  const Ensembles slides{{"RI_0", samples({1.0})},
+                         {"RI_1e-5", samples({1.0})},
+                         {"RI_2e-5", samples({0.5})},
+                         {"RI_4e-5", samples({1.0})},
+                         {"RI_1e-4", samples({0.0})}};
+  const auto critical = critical_conductivity(sweep_of(slides, "RI_"), 0);
+  EXPECT_EQ(critical.lower, 1e-5);
+  EXPECT_EQ(critical.upper, 1e-4);
+}
+
+TEST(CriticalConductivity, IsUnknownIfNothingChangesOrNothingIsUndrained) {
+  const Ensembles alike{{"RI_0", samples({2.0})}, {"RI_1e-5", samples({2.0})}};
+  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(alike, "RI_"), 0).upper));
+  const Ensembles drained{{"RI_1e-5", samples({2.0})}, {"RI_1e-4", samples({0.0})}};
+  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(drained, "RI_"), 0).lower));
+  EXPECT_TRUE(std::isnan(critical_conductivity({}, 0).lower));
+}
+
+TEST(CompareConductivities, TellsTheOrderOfRD) {
+  const Ensembles slides{{"RD_0", samples({2.0})},
+                         {"RD_1e-5", samples({1.5})},
+                         {"RD_4e-5", samples({1.6})},
+                         {"RD_1e-4", samples({1.0})}};
+  std::map<std::string, double> metrics;
+  compare_conductivities(slides, metrics);
+  EXPECT_NEAR(metrics.at("RD_velocity_order"), -0.8, rounding);  // two neighbours exchanged: 1 - 6 x 2/60
+  EXPECT_NEAR(metrics.at("RD_runout_order"), -0.8, rounding);
+  EXPECT_FALSE(metrics.contains("critical_conductivity"));
+}
+
+}  // namespace
+}  // namespace flowslide
