@@ -56,7 +56,7 @@ do for [format in "png pdf"] {
     set xrange [0:(c == 1 ? 2 : 5)]
     if (c == 1) { set key right top noreverse Right } else { unset key }
     plot spread(c) using (percent * column(1)):(kilo * column(6)):(kilo * column(7)) \
-           with filledcurves linecolor rgb grey title "all samples alone", \
+           with filledcurves linecolor rgb grey title "pure DEM, all samples", \
          for [k = 1:curves_drawn] slide(c, k) \
            using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
