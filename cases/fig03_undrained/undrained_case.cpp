@@ -7,11 +7,11 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/element_test_model.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
-#include "grains/measures.hpp"
 #include "pictures.hpp"
 #include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
@@ -52,17 +52,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   const std::string sample = configuration.text(table + "sample", names);
   curve.sample = static_cast<std::size_t>(std::find(names.begin(), names.end(), sample) - names.begin());
   const SampleRecipe& recipe = sample_of(curve).recipe;
-  if (configuration.has(table + "inertial_number")) {
-    const double number = configuration.number(table + "inertial_number", Range::positive());
-    const double mean_diameter = lattice_packing(recipe.packing).mean_diameter();
-    curve.test.shear_rate = shear_rate_for(number, mean_diameter, material_.density, recipe.normal_stress);
-    if (configuration.has(table + "shear_rate"))
-      configuration.refuse(table + "inertial_number", "the shear rate is given as well", "leave one of them out");
-  } else {
-    curve.test.shear_rate = configuration.quantity(table + "shear_rate", dimension::rate, Range::positive());
-  }
-  curve.test.final_strain = configuration.number(table + "final_strain", Range::above_up_to(0.0, 100.0));
-  curve.test.rows = static_cast<int>(configuration.integer("shear.rows", Range::between(10, 100000)));
+  curve.test = read_element_test(configuration, {"point." + name, "shear"}, recipe);
   if (configuration.has(table + "picture_strain"))
     curve.picture_strain = configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
 
