@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 8: triggering at 1e3 kPa/min, RD against RI: (A) stress path, (B) shear stress, (C) velocity, (D) inertial number.
+# Figure 8: triggering at 1e3 kPa/min, RD against RI: (A) stress path, (B) shear stress, (C) velocity, (D) inertial
+# number.
 # Lines are one sample by both schemes; bands are all replicates.
 tables = "RD_ramp.dat RI_ramp.dat RD_ramp_over_time.dat RI_ramp_over_time.dat"
 command = "./reproduce fig08"
@@ -46,7 +47,8 @@ do for [format in "png pdf"] {
   set xrange [0:*] noextend
   plot for [i = 1:2] one(i) using (column(time)):(kilo * column(shear_stress)) \
          with lines linewidth 1 linecolor rgb colour[i] notitle, \
-       one(1) using (column(time)):(kilo * column(driving_stress)) with lines linewidth 1 dashtype 2 linecolor rgb grey notitle, \
+       one(1) using (column(time)):(kilo * column(driving_stress)) \
+         with lines linewidth 1 dashtype 2 linecolor rgb grey notitle, \
        for [i = 1:2] "+" using (peak_time[i]):(kilo * peak_shear[i]) every 1000 \
          with points pointtype 3 linecolor rgb colour[i] notitle
   
@@ -55,14 +57,16 @@ do for [format in "png pdf"] {
   set yrange [0:*]
   plot for [i = 1:2] band(i) using 1:(column(over_time(velocity) + 1)):(column(over_time(velocity) + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using 1:(column(over_time(velocity))) with lines linewidth 1.2 linecolor rgb colour[i] notitle
+       for [i = 1:2] band(i) using 1:(column(over_time(velocity))) \
+         with lines linewidth 1.2 linecolor rgb colour[i] notitle
 
   set title panel("D", "inertial number")
   set ylabel "inertial number {/:Italic I}" offset 0.5
   set logscale y; set format y "10^{%T}"; set yrange [1e-6:10]
   plot for [i = 1:2] one(i) using (column(time)):(column(inertial_number)) \
          with lines linewidth 1 linecolor rgb colour[i] notitle, \
-       one(2) using (column(time)):(column(global_inertial_number)) with lines linewidth 1 dashtype 2 linecolor rgb colour[2] notitle
+       one(2) using (column(time)):(column(global_inertial_number)) \
+         with lines linewidth 1 dashtype 2 linecolor rgb colour[2] notitle
   unset logscale y; set format y "% h"
   unset multiplot
   set output

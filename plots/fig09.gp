@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 9: the liquefied state under a driving stress that is held: (A) normal stress, (B) friction tau/sigma, median and range
-# of the replicates, with the mean mu_ss beyond 50 % strain as a line.
+# Figure 9: the liquefied state under a driving stress that is held: (A) normal stress, (B) friction tau/sigma, median
+# and range of the replicates, with the mean mu_ss beyond 50 % strain as a line.
 tables = "RD_hold_over_shear_strain.dat RI_hold_over_shear_strain.dat RD_hold_friction_band.dat"
 tables = tables." RI_hold_friction_band.dat steady_friction.dat"
 command = "./reproduce fig09"
@@ -31,16 +31,19 @@ do for [format in "png pdf"] {
   set key right top Left reverse
   plot for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s + 1)):(kilo * column(s + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s)) with lines linewidth 1.2 linecolor rgb colour[i] title label[i]
+       for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s)) \
+         with lines linewidth 1.2 linecolor rgb colour[i] title label[i]
   unset logscale y; set format y "% h"
 
   set title panel("B", "friction")
   set ylabel "friction {/:Italic τ}/{/:Italic σ}"
   set yrange [0:0.8]
-  set arrow 1 from first steady_from, graph 0 to first steady_from, graph 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
+  set arrow 1 from first steady_from, graph 0 to first steady_from, graph 1 \
+    nohead linewidth 0.8 dashtype 3 linecolor rgb grey
   set key right bottom Right noreverse
   plot for [i = 1:2] friction(i) using (percent * column(1)):3:4 with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] friction(i) using (percent * column(1)):2 with lines linewidth 0.8 linecolor rgb colour[i] notitle, \
+       for [i = 1:2] friction(i) using (percent * column(1)):2 \
+         with lines linewidth 0.8 linecolor rgb colour[i] notitle, \
        for [i = 1:2] data("steady_friction.dat") using (strcol(1) eq word(schemes, i)."_hold" ? steady_from : NaN):2:\
          (last - steady_from):(0) with vectors nohead linewidth 2 linecolor rgb colour[i] \
          title word(schemes, i).", {/:Italic μ}_{ss}"

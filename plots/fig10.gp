@@ -12,7 +12,8 @@ profiles = 4
 array colour[profiles] = [black, sky, orange, vermillion]
 array mark[profiles] = [7, 6, 4, 8]
 array shown[3] = ["velocity", "shear stress", "normal stress"]
-array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
+array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", \
+  "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
 # Behind the height, per profile: velocity, shear stress, normal stress, each as median, lowest, highest.
 quantity(i, q) = 2 + 9 * (i - 1) + 3 * (q - 1)
 inner(q) = q == 1 ? 0 : 1   # the outer sublayers lie partly behind the glued layers: no stress of theirs is shown

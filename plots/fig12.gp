@@ -4,7 +4,7 @@
 amplitudes = "3 4 5"
 tables = ""
 do for [a in amplitudes] {
-  tables = tables." RD_".a."kPa_over_displacement.dat RI_".a."kPa_over_displacement.dat"
+  do for [s in "RD RI"] { tables = tables." ".s."_".a."kPa_over_displacement.dat ".s."_".a."kPa_windows.dat" }
 }
 command = "./reproduce fig12"
 script = ARG0; folder = ARG1; picture = ARG2
@@ -14,6 +14,7 @@ load here."slides.gp"
 
 array colour[3] = [sky, purple, vermillion]
 table(scheme, i) = data(scheme."_".word(amplitudes, i)."kPa_over_displacement.dat")
+wide(scheme, i) = data(scheme."_".word(amplitudes, i)."kPa_windows.dat")
 v = over_x(velocity, displacement); p = over_x(pore_pressure, displacement)
 
 do for [format in "png pdf"] {
@@ -29,7 +30,8 @@ do for [format in "png pdf"] {
   set key left top Left reverse
   plot for [i = 1:3] table("RD", i) using 1:(column(v + 1)):(column(v + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RI", i) using 1:(column(v)) with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
+       for [i = 1:3] table("RI", i) using 1:(column(v)) \
+         with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
        for [i = 1:3] table("RD", i) using 1:(column(v)) with lines linewidth 1.4 linecolor rgb colour[i] \
          title "{/:Italic A} = ".word(amplitudes, i)." kPa", \
        keyentry with lines linewidth 1.2 linecolor rgb black title "RD", \
@@ -39,10 +41,11 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   unset key
-  plot for [i = 1:3] table("RD", i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
+  plot for [i = 1:3] wide("RD", i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RI", i) using 1:(kilo * column(p)) with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.4 linecolor rgb colour[i] notitle
+       for [i = 1:3] wide("RI", i) using 1:(kilo * column(p)) \
+         with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
+       for [i = 1:3] wide("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.4 linecolor rgb colour[i] notitle
   unset multiplot
   set output
 }

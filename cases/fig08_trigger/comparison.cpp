@@ -89,6 +89,9 @@ void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metri
   for (std::size_t sample = 0; sample < rd->size(); ++sample)
     ratios.push_back(velocity_ratio((*rd)[sample].series, (*ri)[sample].series));
   metrics["velocity_ratio"] = statistics_of(ratios).median;
+  const std::vector<double> before = values_of(*rd, "linearity_1"), after = values_of(*rd, "linearity_2");
+  if (!before.empty() && !after.empty())
+    metrics["linearity_gap"] = statistics_of(before).lowest - statistics_of(after).highest;
   metrics["inertial_number_ratio"] = median(*ri, "steady_inertial_number") / median(*rd, "steady_inertial_number");
 }
 

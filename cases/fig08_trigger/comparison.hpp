@@ -12,8 +12,9 @@ namespace flowslide {
 ///                                 RD and RI on one sample over the standard deviation of RI between samples, both as
 ///                                 root mean squares over strain and samples; the larger of the two
 ///   peak_difference_over_spread   the same of the peaks of tau
-///   velocity_ratio                median over the samples of RD's velocity over RI's at the same displacement, the last
-///                                 that both reach: the schemes lose their balance a moment apart
+///   velocity_ratio                median over the samples of RD's velocity over RI's at the same displacement, the
+///                                 last that both reach: the schemes lose their balance a moment apart
+///   linearity_gap                 lowest linearity_1 of RD (before liquefaction) less highest linearity_2 (after it)
 ///   inertial_number_ratio         median I beyond 50 % strain of RI, by the rate of the slope, over RD's
 void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metrics);
 

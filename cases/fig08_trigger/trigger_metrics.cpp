@@ -53,7 +53,7 @@ std::vector<Metric> trigger_metrics(const Series& series) {
   const double shear = steady("shear_stress"), normal = steady("normal_stress");
   return {{"peak_shear_stress", column("shear_stress")[peak], "Pa", "largest shear stress up to 5 % strain"},
           {"strain_at_peak", column("shear_strain")[peak], "1", "shear strain at that stress"},
-          {"largest_inertial_number_before_peak", number, "1", "largest inertial number of the slope's rate until then"},
+          {"largest_inertial_number_before_peak", number, "1", "largest inertial number of the slope until then"},
           {"lowest_normal_stress", lowest, "Pa", "lowest normal stress up to 50 % strain"},
           {"steady_shear", shear, "Pa", "mean shear stress beyond 50 % strain"},
           {"steady_normal", normal, "Pa", "mean normal stress beyond 50 % strain"},

@@ -6,8 +6,8 @@
 
 namespace flowslide {
 
-/// The numbers that the claims about one slide are made of, from its record (see slide_series). One that the record does
-/// not have is not a number.
+/// The numbers that the claims about one slide are made of, from its record (see slide_series). One that the record
+/// does not have is not a number.
 ///   peak_shear_stress, strain_at_peak           Pa and 1: the largest tau up to 5 % strain, the point of instability
 ///   largest_inertial_number_before_peak         1: of the rate of the slope
 ///   lowest_normal_stress                        Pa: up to 50 % strain
@@ -18,8 +18,8 @@ namespace flowslide {
 ///   final_velocity                              m/s
 std::vector<Metric> trigger_metrics(const Series& series);
 
-/// Friction tau/sigma over windows of shear strain up to `friction_until`: in each, the mean of tau over that of sigma, since
-/// the quotient of what single rows hold has no mean where sigma falls to nothing.
+/// Friction tau/sigma over windows of shear strain up to `friction_until`: in each, the mean of tau over that of
+/// sigma, since the quotient of what single rows hold has no mean where sigma falls to nothing.
 Series friction(const Series& series);
 
 /// Row of the largest tau up to 5 % strain.

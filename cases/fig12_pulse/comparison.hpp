@@ -7,7 +7,7 @@
 
 namespace flowslide {
 
-/// Adds to `metrics` what is said of several slides, named "<scheme>_<amplitude>kPa", where those it takes have been run:
+/// Adds to `metrics` what is said of several slides, named "<scheme>_<amplitude>kPa", where those needed have been run:
 ///   parting_velocity.<statistic>  m/s, of the pairs of RI_3kPa and RD_3kPa on one sample (see parting_velocity)
 ///   RD_normal_stress_over_RI      ratio of the medians of the normal stress after the pulse at 3 kPa
 ///   acceleration_gap              lowest acceleration_share of RI less the highest of RD at 3 kPa

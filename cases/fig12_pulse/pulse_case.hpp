@@ -8,6 +8,8 @@ namespace flowslide {
 class PulseCase : public SlideCase {
  public:
   PulseCase();
+  /// Adds <slide>_windows.dat, the replicates over x in wider windows, for the pore pressure: it jumps with every jam.
+  void finish(const OutputFolder& output) const override;
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;

@@ -96,7 +96,7 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->check(CLI::Validator(integer_from(1), ""))
       ->group(group);
   app.add_flag("--allow-unstable", raw.allow_unstable,
-               "Run slides with a global time step beyond the limit of stability, too: the key `coupling.allow_unstable`")
+               "Run slides beyond the limit of stability of dt_G, too: the key `coupling.allow_unstable`")
       ->group(group);
   app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
       ->type_name("NAME")

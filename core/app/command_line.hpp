@@ -24,7 +24,7 @@ struct CaseDescription {
 /// What the user asked for.
 struct CommandLine {
   std::optional<std::filesystem::path> configuration_file;  ///< --config
-  std::vector<Override> overrides;                          ///< --set, --engine, --seed, --replicates, --allow-unstable as keys
+  std::vector<Override> overrides;                          ///< --set, and the options that stand for keys
   std::string scale = "quick";                              ///< --scale
   std::optional<std::string> engine;                        ///< --engine; without it the key `engine` decides
   std::optional<std::int64_t> seed;                         ///< --seed; without it the key `seed` decides

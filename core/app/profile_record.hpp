@@ -21,8 +21,8 @@ struct ProfilePlan {
 /// ConfigurationError.
 ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key);
 
-/// Profiles of one slide: column <what>_<i> of `series` belongs to the i-th strain, from 1, over the relative height z/H
-/// from 0 at the bottom to 1 at the top. Each is the sum of its snapshots over the sum of what it is a share of:
+/// Profiles of one slide: column <what>_<i> of `series` belongs to the i-th strain, from 1, over the relative height
+/// z/H from 0 at the bottom to 1 at the top. Each is the sum of its snapshots over the sum of what it is a share of:
 ///   velocity_<i>       <v_x> over the velocity of the top layer
 ///   shear_stress_<i>   <tau> over tau of the sample
 ///   normal_stress_<i>  <sigma> over sigma of the sample

@@ -23,7 +23,8 @@ Result slide(double shear, double normal, double velocity = 1.0) {
     values[5] = normal;
     result.series.append_row(row, values);
   }
-  result.metrics = {{"strain_at_peak", 0.01, "1", ""}, {"peak_shear_stress", shear, "Pa", ""}};
+  result.metrics = {{"strain_at_peak", 0.01, "1", ""}, {"peak_shear_stress", shear, "Pa", ""},
+                    {"linearity_1", 1e-3 * shear, "1", ""}, {"linearity_2", 1e-4 * shear, "1", ""}};
   return result;
 }
 
@@ -42,6 +43,7 @@ TEST(Comparison, HoldsTheDifferenceOfSchemesAgainstThatOfSamples) {
   EXPECT_NEAR(metrics.at("path_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("peak_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("velocity_ratio"), 0.75, 1e-9);
+  EXPECT_NEAR(metrics.at("linearity_gap"), 1.03 - 0.123, 1e-9);
 }
 
 TEST(Comparison, CountsTheExcessInStandardErrors) {

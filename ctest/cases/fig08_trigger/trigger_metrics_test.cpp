@@ -13,8 +13,8 @@ namespace {
 
 constexpr double rounding = 1e-9;
 
-/// tau rises to 4 kPa at 1 % strain and falls to 200 Pa at 10 %, sigma from 28 kPa to 50 Pa at 10 % and up to 400 Pa from
-/// 20 % on; I = strain.
+/// tau rises to 4 kPa at 1 % strain and falls to 200 Pa at 10 %, sigma from 28 kPa to 50 Pa at 10 % and up to 400 Pa
+/// from 20 % on; I = strain.
 Series slide(double end) {
   Series series = slide_series();
   for (int row = 0; row <= std::lround(end / 1e-3); ++row) {

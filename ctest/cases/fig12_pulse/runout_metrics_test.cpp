@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// A slope that accelerates at 2 m/s^2 up to t = 1 s and at `after` from then on, tau falling from 3 kPa to `liquefied`.
+/// A slope that accelerates at 2 m/s^2 up to t = 1 s and at `after` from then on, tau from 3 kPa to `liquefied`.
 Series slide(double end, double after, double liquefied = 100.0) {
   Series series = slide_series();
   for (int row = 0; row <= std::lround(end / 0.01); ++row) {
@@ -70,7 +70,9 @@ TEST(RunoutMetrics, AreNoNumberAfterAPulseThatLasts) {
   EXPECT_NEAR(metrics.at("final_velocity"), 1.7, rounding);
 }
 
-TEST(RunoutMetrics, NeedAPulse) { EXPECT_THROW(runout_metrics(slide(1.0, 0.0), SlideSettings{}), std::invalid_argument); }
+TEST(RunoutMetrics, NeedAPulse) {
+  EXPECT_THROW(runout_metrics(slide(1.0, 0.0), SlideSettings{}), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace flowslide
