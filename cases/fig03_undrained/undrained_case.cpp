@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "app/element_test_model.hpp"
+#include "app/ensemble.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "curve_metrics.hpp"
@@ -46,6 +47,7 @@ void UndrainedCase::read(const Configuration& configuration) {
 void UndrainedCase::read_curve(const Configuration& configuration, const std::string& name, int replicate) {
   const std::string table = "point." + name + ".";
   Curve curve;
+  curve.name = name;
   curve.replicate = replicate;
   std::vector<std::string> names;
   for (const SampleSpecification& sample : samples_[replicate]) names.push_back(sample.name);
@@ -124,10 +126,15 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
 std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path& folder,
                                                      const std::vector<std::string>& points) const {
   std::map<std::string, double> all;
-  for (const std::string& name : points)
-    for (const Metric& metric : read_result(folder / (name + ".h5")).metrics)
-      all[name + "." + metric.name] = metric.value;
-  const auto slow = all.find("I_1e-4.peak_shear_stress"), fast = all.find("I_2e-2.peak_shear_stress");
+  Ensembles curves;
+  for (const std::string& name : points) {
+    Ensemble& replicates = curves[curve(name).name];
+    replicates.push_back(read_result(folder / (name + ".h5")));
+    for (const Metric& metric : replicates.back().metrics) all[name + "." + metric.name] = metric.value;
+  }
+  for (const auto& [name, replicates] : curves)
+    for (const auto& [metric, value] : summary_of(replicates)) all[name + "." + metric] = value;
+  const auto slow = all.find("I_1e-4.peak_shear_stress.median"), fast = all.find("I_2e-2.peak_shear_stress.median");
   if (slow != all.end() && fast != all.end()) all["rate_effect"] = fast->second / slow->second;
   return all;
 }

@@ -11,7 +11,8 @@ namespace flowslide {
 
 /// One curve of Fig. 3 or 4.
 struct Curve {
-  Point point;
+  Point point;                             ///< named after the curve and the replicate
+  std::string name;                        ///< of its table [point.<name>]
   ElementTest test;
   std::size_t sample = 0;                  ///< index into samples of its replicate
   int replicate = 0;
