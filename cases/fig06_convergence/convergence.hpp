@@ -33,7 +33,7 @@ double relative_spread(const Ensemble& ensemble);
 ///   <passing>_least_growth    the least ratio of the errors of neighbouring dt_G, from large to small: > 1 if ordered
 ///   <passing>_advantage       the least ratio of the error by eq. 15 to that by this passing at dt_G = 1e-5 and 1e-6 s
 ///   <passing>_largest_over_spread   largest error at I = 1e-2 over the spread between samples
-///   RI_distance_to_low_over_high   of eq. 15 at I = 1e-2 with the smallest dt_G: difference to the sample alone at 1e-4
+///   RI_distance_to_low_over_high   eq. 15 at I = 1e-2 with the smallest dt_G: difference to the sample alone at 1e-4
 ///                             over that to the sample alone at 1e-2, as relative errors, median over the replicates
 ///   <passing>_velocity_change      of v(t) at I = 1e-2 between the largest and the smallest dt_G, relative, as far as
 ///                             both go; velocity_change_of_RI_over_reset
