@@ -21,10 +21,14 @@ void ConductivityCase::compare(const Ensembles& slides, std::map<std::string, do
 void ConductivityCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
+  for (const auto& [name, ensemble] : slides)
+    write_table(output.file(name + "_coarse.dat"),
+                {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
   const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
   const Series sweep = sweep_series(axis, {{"RD", sweep_of(slides, "RD_")}, {"RI", sweep_of(slides, "RI_")}},
                                     {"largest_velocity", "runout", "sliding_stopped"});
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
+  write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
 }
 
 }  // namespace flowslide

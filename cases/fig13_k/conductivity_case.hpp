@@ -9,7 +9,8 @@ namespace flowslide {
 class ConductivityCase : public SlideCase {
  public:
   ConductivityCase();
-  /// And sweep.dat: velocity and runout over the conductivity.
+  /// And <slide>_coarse.dat, see coarse_band, and sweep.dat: velocity and runout over k,
+  /// and critical.dat: see critical_series.
   void finish(const OutputFolder& output) const override;
 
  protected:

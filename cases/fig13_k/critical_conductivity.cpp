@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "critical_conductivity.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <list>
@@ -83,6 +84,18 @@ void compare_conductivities(const Ensembles& slides, std::map<std::string, doubl
   }
   metrics["RI_change_below"] = below;
   metrics["RI_stopped_above"] = stopped;
+}
+
+Series critical_series(const Ensembles& slides) {
+  std::map<std::string, double> metrics;
+  add_critical(sweep_of(slides, "RI_"), metrics);
+  Series series;
+  series.axis = {"critical_conductivity", "k", "m/s", "critical hydraulic conductivity by RI", "", {}};
+  series.columns = {{"lower", "k", "m/s", "its lower bound", "", {}}, {"upper", "k", "m/s", "its upper bound", "", {}}};
+  if (metrics.empty()) return series;
+  const std::array bounds{metrics.at("critical_conductivity_lower"), metrics.at("critical_conductivity_upper")};
+  series.append_row(metrics.at("critical_conductivity"), bounds);
+  return series;
 }
 
 }  // namespace flowslide

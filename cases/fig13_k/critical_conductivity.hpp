@@ -27,4 +27,7 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
 ///                                        k > critical_conductivity_upper
 void compare_conductivities(const Ensembles& slides, std::map<std::string, double>& metrics);
 
+/// The critical conductivity of RI and its two bounds as a table of one row; of none if there is none.
+Series critical_series(const Ensembles& slides);
+
 }  // namespace flowslide

@@ -13,6 +13,7 @@ namespace {
 constexpr double peak_before = 0.02;      ///< strain within which a loose sample has its peak
 constexpr double velocity_window = 0.1;   ///< s: grains make the velocity swing
 constexpr double stress_window = 0.02;    ///< s: of the normal stress, which swings faster
+constexpr int coarse_rows = 25;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 double peak_shear_stress(const Series& series) {
@@ -104,6 +105,8 @@ double rank_correlation(const std::vector<double>& first, const std::vector<doub
   };
   return moment(x, y) / std::sqrt(moment(x, x) * moment(y, y));
 }
+
+Series coarse_band(const Ensemble& ensemble) { return band_over(ensemble, "displacement", coarse_rows); }
 
 Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::vector<SweepMember>>>& schemes,
                     const std::vector<std::string>& metrics) {

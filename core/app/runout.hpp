@@ -37,6 +37,10 @@ std::vector<double> medians_along(const std::vector<SweepMember>& sweep, const s
 /// together, -1 if one falls as the other rises. NaN for fewer than two pairs, or if all values of a list are equal.
 double rank_correlation(const std::vector<double>& first, const std::vector<double>& second);
 
+/// Median, lowest and highest of the replicates over the sliding distance (see band_over), as means over long
+/// intervals: the effective stress of a slope that slides comes in bursts, and no figure could show each.
+Series coarse_band(const Ensemble& ensemble);
+
 /// Sweeps by several schemes as one table: `axis` takes the parameters of the first; for each scheme and metric the
 /// columns "<scheme>_<metric>_median", "_lowest" and "_highest". Only parameters that all schemes have.
 /// Throws std::invalid_argument if a slide lacks a metric.

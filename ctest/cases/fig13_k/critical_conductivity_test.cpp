@@ -41,6 +41,9 @@ TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
   EXPECT_EQ(metrics.at("critical_conductivity_upper"), 4e-5);
   EXPECT_NEAR(metrics.at("RI_change_below"), 2.0 / 15.0, rounding);  // of the medians: 1.5 to 1.3 at 2e-5
   EXPECT_EQ(metrics.at("RI_stopped_above"), 1.0);
+  const Series series = critical_series(slides);
+  EXPECT_EQ(series.column("lower").values, std::vector<double>{1e-5});
+  EXPECT_EQ(series.column("upper").values, std::vector<double>{4e-5});
 }
 
 TEST(CriticalConductivity, IsWideWhereTheOrderIsMixed) {
@@ -60,6 +63,7 @@ TEST(CriticalConductivity, IsUnknownIfNothingChangesOrNothingIsUndrained) {
   const Ensembles drained{{"RI_1e-5", samples({2.0})}, {"RI_1e-4", samples({0.0})}};
   EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(drained, "RI_"), 0).lower));
   EXPECT_TRUE(std::isnan(critical_conductivity({}, 0).lower));
+  EXPECT_EQ(critical_series(alike).rows(), 0U);
 }
 
 TEST(CompareConductivities, TellsTheOrderOfRD) {

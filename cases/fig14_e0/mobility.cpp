@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "mobility.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace flowslide {
+namespace {
+
+constexpr const char* loosest = "790";
+constexpr const char* void_ratios[] = {loosest, "771", "765", "751"};
+
+/// Of a metric of the slides "<scheme>_e0_<name>"; not numbers if there are none.
+Statistics statistics(const Ensembles& slides, const std::string& scheme, const std::string& name,
+                      const std::string& metric) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const auto found = slides.find(scheme + "_e0_" + name);
+  if (found == slides.end()) return {nothing, nothing, nothing, nothing, nothing, nothing};
+  return statistics_of(values_of(found->second, metric));
+}
+
+void add_shares(const Ensembles& slides, const std::string& quantity, const std::string& metric,
+                std::map<std::string, double>& metrics) {
+  const auto median = [&](const std::string& scheme, const std::string& name) {
+    return statistics(slides, scheme, name, metric).median;
+  };
+  for (const std::string name : void_ratios) {
+    for (const char* scheme : {"RD", "RI"})
+      metrics[std::string(scheme) + "_" + name + "_" + quantity + "_share"] =
+          median(scheme, name) / median(scheme, loosest);
+    metrics["RD_" + name + "_" + quantity + "_over_RI"] = median("RD", name) / median("RI", name);
+  }
+}
+
+}  // namespace
+
+void compare_void_ratios(const Ensembles& slides, std::map<std::string, double>& metrics) {
+  add_shares(slides, "velocity", "largest_velocity", metrics);
+  add_shares(slides, "runout", "runout", metrics);
+  for (const std::string name : void_ratios) {
+    const Statistics rd = statistics(slides, "RD", name, "runout"), ri = statistics(slides, "RI", name, "runout");
+    metrics[name + "_largest_runout"] = std::fmax(rd.highest, ri.highest);
+    metrics[name + "_runout_difference"] = std::abs(rd.median - ri.median);
+  }
+}
+
+}  // namespace flowslide
