@@ -312,7 +312,7 @@ std::string NativeEngine<Real>::name() const {
 
 template <typename Real>
 std::string NativeEngine<Real>::version() const {
-  return FLOWSLIDE_VERSION;
+  return fmt::format("{} ({})", FLOWSLIDE_VERSION, native::bits_in_double);
 }
 
 template class NativeEngine<double>;

@@ -65,7 +65,7 @@ TEST_F(UndrainedProgram, ListsItsPointsAndWritesNothing) {
   EXPECT_EQ(list.code, 0) << list.error;
   for (const char* name : {"e0_790", "e0_771", "e0_765", "e0_751", "I_1e-4", "I_2e-2"})
     EXPECT_CONTAINS(list.output, "\n" + std::string(name) + "\t");
-  EXPECT_EQ(std::count(list.output.begin(), list.output.end(), '\n'), 7);
+  EXPECT_EQ(std::count(list.output.begin(), list.output.end(), '\n'), 1 + 3 * 6);  // three replicates at quick scale
   const Outcome json = run({"--list", "--json", "--scale", "paper", "--point", "e0_790"});
   EXPECT_CONTAINS(json.output, "{\"name\": \"e0_790\", \"figures\": [\"2\", \"3\"], \"predicted_seconds\": ");
   // 0.5 / (0.06 x 5e-7) steps of 20 x 20 x 22 grains at Table 1 and the paper's rate.
@@ -74,14 +74,14 @@ TEST_F(UndrainedProgram, ListsItsPointsAndWritesNothing) {
 }
 
 TEST_F(UndrainedProgram, HasPointsForEveryReplicate) {
-  const std::string list = run({"--list", "--replicates", "3"}).output;
-  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 1 + 3 * 6);
-  EXPECT_CONTAINS(list, "\ne0_790_r3\t");
+  const std::string list = run({"--list", "--replicates", "4"}).output;
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 1 + 4 * 6);
+  EXPECT_CONTAINS(list, "\ne0_790_r4\t");
 }
 
 TEST_F(UndrainedProgram, PlansAndWritesNothing) {
   const Outcome plan = run({"--dry-run", "--point", "e0_790", "--set", "point.e0_790.shear_rate=0.25 1/s", "--set",
-                            "shear.time_step=1e-5 s", "--set", "shear.rows=100", "--seed", "5"});
+                            "shear.time_step=1e-5 s", "--set", "shear.rows=100", "--seed", "5", "--engine", "liggghts"});
   EXPECT_EQ(plan.code, 0) << plan.error;
   EXPECT_CONTAINS(plan.output, "point.e0_790.shear_rate = 0.25  # 1/s\n");
   EXPECT_CONTAINS(plan.output, "seed 5\n");
@@ -95,7 +95,7 @@ TEST_F(UndrainedProgram, PlansWithTheKeyThatTheCacheUses) {
   const auto setting = FLOWSLIDE_CASE_FOLDER "/case.toml";
   const Configuration configuration({setting, "quick", {}, {}});
   const auto samples = read_samples(configuration, read_slope(configuration), read_material(configuration), 0);
-  const auto engine = make_engine("liggghts", "/dev/null");
+  const auto engine = make_engine("native", "/dev/null");
   const std::string key = cache_key(samples.at(0).recipe, engine->name() + " " + engine->version());
   EXPECT_CONTAINS(run({"--dry-run", "--point", "e0_790"}).output, "first trial in the cache: " + key + "\n");
 }
@@ -170,7 +170,7 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const Outcome first = run(small);
   ASSERT_EQ(first.code, 0) << first.error;
   const Result result = read_result("out/I_2e-2.h5");
-  EXPECT_EQ(result.provenance.engine, "liggghts");
+  EXPECT_EQ(result.provenance.engine, "native");
   EXPECT_EQ(result.provenance.figure, "4");
   EXPECT_EQ(result.provenance.seed, 1);
   EXPECT_EQ(result.series.rows(), 11U);
