@@ -9,9 +9,11 @@ load script[1:strlen(script) - strlen("fig03.gp")]."style.gp"
 array colour[4] = [vermillion, orange, sky, blue]
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
-replicate(i, r) = data(sprintf("%s_r%d.dat", word(points, i), r))   # thin, from the second on
+replicate_file(i, r) = data(sprintf("%s_r%d.dat", word(points, i), r))   # drawn thin, from the second on
 replicates = 1
-while (readable(replicate(1, replicates + 1))) { replicates = replicates + 1 }
+while (readable(replicate_file(1, replicates + 1))) { replicates = replicates + 1 }
+replicate(i, r) = r > replicates ? table(i) : replicate_file(i, r)
+if_replicates = replicates > 1 ? 1 : NaN
 threshold = 1e-3   # of the inertial number: a flow is quasi-static well below it
 
 do for [format in "png pdf"] {
@@ -31,9 +33,9 @@ do for [format in "png pdf"] {
   plot for [i = 1:4] table(i) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
     with lines linewidth 1.2 linecolor rgb colour[i] title label_of(word(points, i)), \
     for [i = 1:4] for [r = 2:replicates] replicate(i, r) \
-    using (kilo * column(column_normal)):(kilo * column(column_shear)) \
+    using (kilo * column(column_normal)):(if_replicates * kilo * column(column_shear)) \
     with lines linewidth 0.3 linecolor rgb colour[i] notitle, \
-    for [i = 1:4*others] other_table(i) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
+    for [i = 1:4] other_table(i) using (kilo * column(column_normal)):(if_others * kilo * column(column_shear)) \
     with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : ""
 
   set lmargin at screen 0.39; set rmargin at screen 0.63
@@ -45,9 +47,9 @@ do for [format in "png pdf"] {
   plot for [i = 1:4] table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
     with lines linewidth 1.2 linecolor rgb colour[i] notitle, \
     for [i = 1:4] for [r = 2:replicates] replicate(i, r) \
-    using (percent * column(column_strain)):(kilo * column(column_shear)) \
+    using (percent * column(column_strain)):(if_replicates * kilo * column(column_shear)) \
     with lines linewidth 0.3 linecolor rgb colour[i] notitle, \
-    for [i = 1:4*others] other_table(i) using (percent * column(column_strain)):(kilo * column(column_shear)) \
+    for [i = 1:4] other_table(i) using (percent * column(column_strain)):(if_others * kilo * column(column_shear)) \
     with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle
 
   set lmargin at screen 0.745; set rmargin at screen 0.985

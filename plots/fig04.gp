@@ -31,7 +31,7 @@ do for [format in "png pdf"] {
   set key at graph 0.02, 1 left top Left reverse
   plot for [i = 1:2] table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
-       for [i = 1:2*others] other_table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
+       for [i = 1:2] other_table(i) using (kilo * column(bagi_normal)):(if_others * kilo * column(bagi_shear)) \
          with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : "", \
        for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal)):(kilo * column(nicot_shear)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
@@ -42,7 +42,7 @@ do for [format in "png pdf"] {
   unset key
   plot for [i = 1:2] table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
-       for [i = 1:2*others] other_table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
+       for [i = 1:2] other_table(i) using (percent * column(column_strain)):(if_others * kilo * column(bagi_shear)) \
          with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle, \
        for [i = 1:2] table(i) every step[i] using (percent * column(column_strain)):(kilo * column(nicot_shear)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle

@@ -11,7 +11,8 @@ data(name) = folder."/".name
 # A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
 if (!exists("beside")) beside = ""
 others = beside eq "" ? 0 : 1
-other(name) = beside."/".name
+other(name) = (others ? beside : folder)."/".name
+if_others = others ? 1 : NaN   # a factor: gnuplot runs through an empty range once
 shell_quoted(s) = "'".escaped(s)."'"
 escaped(s) = strstrt(s, "'") == 0 ? s : s[1:strstrt(s, "'") - 1]."'\\''".escaped(s[strstrt(s, "'") + 1:*])
 readable(file) = int(system("test -s ".shell_quoted(file)." && echo 1 || echo 0"))
