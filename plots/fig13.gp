@@ -38,32 +38,31 @@ do for [format in "png pdf"] {
   set output picture.".".format
   set multiplot layout 2, 2
   set xlabel "sliding distance {/:Italic x} (m)"
-  set xrange [0:4]
+  set xrange [0:4.5]
+  unset key
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
-  set yrange [0:3]
+  set yrange [0:3.5]
   do for [s = 1:2] {
     scheme = word("RD RI", s)
     set title panel(word("A B", s), s == 1 ? "rate-dependent (RD)" : "rate-independent (RI)")
-    if (s == 1) { set key at graph 1.06, 1.02 right top Left reverse title "{/:Italic k} (m/s)" enhanced }
-    if (s == 2) { unset key }
     plot for [i = 1:6] for [file in replicates(scheme, i)] file using (column(displacement)):(column(velocity)) \
            with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:6] median(scheme, i) using 1:(column(v)) with lines linewidth 1.8 linecolor rgb colour[i] \
-           title word(labels, i)
+         for [i = 1:6] median(scheme, i) using 1:(column(v)) with lines linewidth 1.8 linecolor rgb colour[i] notitle
   }
 
-  set title panel("C", "excess pore pressure (RD solid, RI dashed)")
+  set title panel("C", "pore pressure (RD solid, RI dashed)")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
-  unset key
+  set key at graph 1.06, 1.02 right top Left reverse title "{/:Italic k} (m/s)" enhanced
   plot for [i = 1:6] coarse("RI", i) using 1:(kilo * column(p)) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:6] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle
+       for [i = 1:6] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
+       for [i = 1:6] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title word(labels, i)
 
   set title panel("D", "largest velocity")
   set xlabel "hydraulic conductivity {/:Italic k} (10^{−5} m/s)"
   set ylabel "{/:Italic v}_{max} (m/s)" offset 1
-  set xrange [-0.5:10.5]; set yrange [0:*]
+  set xrange [-0.5:10.5]; set yrange [0:3.5]
   set key at graph 1.0, 1.0 right top notitle
   set object 1 rectangle from first tens * lower, graph 0 to first tens * upper, graph 1 \
     fillcolor rgb grey fillstyle solid 0.25 noborder behind

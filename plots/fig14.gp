@@ -32,40 +32,40 @@ do for [format in "png pdf"] {
   set output picture.".".format
   set multiplot layout 2, 2
   set xlabel "sliding distance {/:Italic x} (m)"
-  set xrange [0:4]
+  set xrange [0:4.5]
+  unset key
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
   set yrange [0:3.5]
   do for [s = 1:2] {
     scheme = word("RD RI", s)
     set title panel(word("A B", s), s == 1 ? "rate-dependent (RD)" : "rate-independent (RI)")
-    if (s == 1) { set key left top Left reverse title "paper's {/:Italic e}_0" enhanced } else { unset key }
     plot for [i = 1:4] for [file in replicates(scheme, i)] file using (column(displacement)):(column(velocity)) \
            with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:4] median(scheme, i) using 1:(column(v)) with lines linewidth 1.8 linecolor rgb colour[i] \
-           title "0.".word(void_ratios, i)
+         for [i = 1:4] median(scheme, i) using 1:(column(v)) with lines linewidth 1.8 linecolor rgb colour[i] notitle
   }
 
-  set title panel("C", "excess pore pressure (RD solid, RI dashed)")
+  set title panel("C", "pore pressure (RD solid, RI dashed)")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
-  unset key
+  set key at graph 1.06, 1.02 right top Left reverse title "paper's {/:Italic e}_0" enhanced
   plot for [i = 1:4] coarse("RI", i) using 1:(kilo * column(p)) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:4] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle
+       for [i = 1:4] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
+       for [i = 1:4] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title "0.".word(void_ratios, i)
 
-  set title panel("D", "largest velocity")
-  set xlabel "void ratio {/:Italic e}_0 of the samples (the paper's beside the points)"
+  set title panel("D", "largest velocity (the paper's {/:Italic e}_0 beside)")
+  set xlabel "void ratio {/:Italic e}_0 of the samples"; set xtics 0.02
   set ylabel "{/:Italic v}_{max} (m/s)" offset 1
-  set xrange [*:*]; set yrange [0:*]
-  set offsets graph 0.08, graph 0.12, 0, 0
-  set key left top Left reverse notitle
+  set xrange [*:*]; set yrange [0:3.5]
+  set offsets graph 0.2, graph 0.08, 0, 0
+  set key at graph 0.02, 1.0 left top Left reverse notitle
   plot for [s = 1:2] column_of = (s == 1 ? rd_velocity : ri_velocity) \
          sweep using (column(sample_void_ratio)):(column(column_of)):(column(column_of + 1)):(column(column_of + 2)) \
          with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s == 1 ? vermillion : blue) \
          title word("RD RI", s), \
        sweep using (column(sample_void_ratio)):(column(ri_velocity)):(sprintf("%.3f", thousandth * $1)) \
-         with labels left offset 0.5, 0.6 notitle
-  set offsets
+         with labels right offset -0.7, 0.5 notitle
+  set offsets; set xtics autofreq
   unset multiplot
   set output
 }
