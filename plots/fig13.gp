@@ -56,7 +56,8 @@ do for [format in "png pdf"] {
   set key at graph 1.06, 1.02 right top Left reverse title "{/:Italic k} (m/s)" enhanced
   plot for [i = 1:6] coarse("RI", i) using 1:(kilo * column(p)) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:6] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
+       for [i = 1:6] coarse("RD", i) using 1:(kilo * column(p)) \
+         with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
        for [i = 1:6] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title word(labels, i)
 
   set title panel("D", "largest velocity")

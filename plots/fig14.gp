@@ -50,7 +50,8 @@ do for [format in "png pdf"] {
   set key at graph 1.06, 1.02 right top Left reverse title "paper's {/:Italic e}_0" enhanced
   plot for [i = 1:4] coarse("RI", i) using 1:(kilo * column(p)) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:4] coarse("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
+       for [i = 1:4] coarse("RD", i) using 1:(kilo * column(p)) \
+         with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
        for [i = 1:4] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title "0.".word(void_ratios, i)
 
   set title panel("D", "largest velocity (the paper's {/:Italic e}_0 beside)")
