@@ -9,15 +9,13 @@
 
 namespace flowslide {
 
-std::vector<std::string> engine_names() { return {"liggghts", "liggghts-stock", "native", "native-fused", "native-mixed"}; }
+std::vector<std::string> engine_names() { return {"liggghts", "liggghts-stock", "native", "native-mixed"}; }
 
 std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log, int threads) {
-  using native::Arithmetic;
   if (name == "liggghts") return std::make_unique<LiggghtsEngine>(log);
   if (name == "liggghts-stock") return std::make_unique<LiggghtsEngine>(log, SeparatedHistory::kept);
-  if (name == "native") return std::make_unique<DoubleEngine>(NativeOptions{Arithmetic::portable, threads});
-  if (name == "native-fused") return std::make_unique<DoubleEngine>(NativeOptions{Arithmetic::fused, threads});
-  if (name == "native-mixed") return std::make_unique<MixedEngine>(NativeOptions{Arithmetic::fused, threads});
+  if (name == "native") return std::make_unique<DoubleEngine>(NativeOptions{.threads = threads});
+  if (name == "native-mixed") return std::make_unique<MixedEngine>(NativeOptions{.threads = threads});
   throw std::invalid_argument(
       fmt::format("there is no engine '{}'; choose one of: {}", name, fmt::join(engine_names(), ", ")));
 }

@@ -10,8 +10,8 @@
 namespace flowslide {
 
 /// Names of the engines of this build: "liggghts", told to clear histories at separation; "liggghts-stock", which keeps
-/// them until it builds its neighbour list; "native" in double with the same bits everywhere; "native-fused", in double
-/// and faster; "native-mixed", with the contact law in float, faster still.
+/// them until it builds its neighbour list; "native", in double; "native-mixed", with the contact law in float, and
+/// faster.
 std::vector<std::string> engine_names();
 
 /// The engine of that name; `log` is the file for what it writes of itself. Throws std::invalid_argument for an unknown

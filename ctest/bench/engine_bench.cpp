@@ -84,7 +84,7 @@ class Bench {
 };
 
 struct Options {
-  std::vector<std::string> engines{"liggghts", "native", "native-fused", "native-mixed"}, states = bench_state_names();
+  std::vector<std::string> engines{"liggghts", "native", "native-mixed"}, states = bench_state_names();
   std::vector<int> grains{1100, 8800};
   int threads = 1, rounds = 0;
 };

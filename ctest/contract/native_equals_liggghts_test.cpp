@@ -18,7 +18,6 @@ namespace {
 constexpr double step = 2e-6;
 
 struct Pair {
-  explicit Pair(native::Arithmetic arithmetic) : native({.arithmetic = arithmetic}) {}
   LiggghtsEngine reference{testing::TempDir() + "native_equals_liggghts.log"};
   DoubleEngine native;
 
@@ -87,16 +86,8 @@ Assembly sheared() {
 /// so that one force may differ by 1e-12 of itself where a grain was folded, and by less of the largest.
 constexpr double one_step = 1e-12;
 
-/// In both arithmetics: a fused product and sum is rounded once instead of twice.
-class NativeEqualsLiggghts : public testing::TestWithParam<native::Arithmetic> {};
-INSTANTIATE_TEST_SUITE_P(Arithmetics, NativeEqualsLiggghts,
-                         testing::Values(native::Arithmetic::portable, native::Arithmetic::fused),
-                         [](const auto& test) {
-                           return test.param == native::Arithmetic::portable ? "portable" : "fused";
-                         });
-
-TEST_P(NativeEqualsLiggghts, OneStepOfAShearedLattice) {
-  Pair engines(GetParam());
+TEST(NativeEqualsLiggghts, OneStepOfAShearedLattice) {
+  Pair engines;
   engines.load(sheared(), {Material{}, step, 0.0});
   engines.move({Vector3::Zero(), {0.8, 0.1, -0.05}, 1.0, -0.5});
   engines.run(1);
@@ -109,8 +100,8 @@ TEST_P(NativeEqualsLiggghts, OneStepOfAShearedLattice) {
   EXPECT_LT(difference.stress, one_step);
 }
 
-TEST_P(NativeEqualsLiggghts, AThousandStepsOfADampedDenseLattice) {
-  Pair engines(GetParam());
+TEST(NativeEqualsLiggghts, AThousandStepsOfADampedDenseLattice) {
+  Pair engines;
   const EngineSettings damped{Material{}, step, 0.5};
   engines.load(sheared(), damped);
   engines.run(1000);
@@ -121,8 +112,8 @@ TEST_P(NativeEqualsLiggghts, AThousandStepsOfADampedDenseLattice) {
   EXPECT_LT(difference.stress, 1e-9);
 }
 
-TEST_P(NativeEqualsLiggghts, AThousandStepsOfSlowShear) {
-  Pair engines(GetParam());
+TEST(NativeEqualsLiggghts, AThousandStepsOfSlowShear) {
+  Pair engines;
   const EngineSettings settings{Material{}, step, 0.0};
   engines.load(touching_lattice(), {Material{}, step, 0.5});
   engines.reference.run(3000);
@@ -135,8 +126,8 @@ TEST_P(NativeEqualsLiggghts, AThousandStepsOfSlowShear) {
   EXPECT_LT(difference.stress, 1e-9);
 }
 
-TEST_P(NativeEqualsLiggghts, OneStepOfRandomCloudsWithRandomHistories) {
-  Pair engines(GetParam());
+TEST(NativeEqualsLiggghts, OneStepOfRandomCloudsWithRandomHistories) {
+  Pair engines;
   for (const bool periodic : {true, false})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       engines.load(clustered_cloud(seed, cube(0.04, periodic), {.grains = 250}), {Material{}, 1e-7, 0.1});
@@ -151,8 +142,8 @@ TEST_P(NativeEqualsLiggghts, OneStepOfRandomCloudsWithRandomHistories) {
     }
 }
 
-TEST_P(NativeEqualsLiggghts, RandomCloudsWhosePairsOpenAndClose) {
-  Pair engines(GetParam());
+TEST(NativeEqualsLiggghts, RandomCloudsWhosePairsOpenAndClose) {
+  Pair engines;
   for (const bool periodic : {true, false})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const Assembly start =

@@ -114,7 +114,7 @@ void NativeEngine<Real>::hire(const Cell& cell) {
   if (threads > 1 || !std::is_same_v<Real, double>)
     for (const Body<double>& body : grains_.bodies) grains_.published[0].push_back(native::in_precision<Real>(body));
   if (threads > 1) grains_.published[1] = grains_.published[0];
-  const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set, options_.arithmetic);
+  const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set);
   workers_.clear();
   for (const Share& share : shares(threads))
     workers_.emplace_back(share, grains_, native::Boundaries(cell, settings_, share),
@@ -306,8 +306,7 @@ Assembly NativeEngine<Real>::save() const {
 }
 template <typename Real>
 std::string NativeEngine<Real>::name() const {
-  if constexpr (std::is_same_v<Real, float>) return "native-mixed";
-  return options_.arithmetic == native::Arithmetic::fused ? "native-fused" : "native";
+  return std::is_same_v<Real, float> ? "native-mixed" : "native";
 }
 
 template <typename Real>

@@ -12,9 +12,8 @@
 
 namespace flowslide {
 
-/// How the native engine goes about its work. In portable arithmetic no bit of a result depends on it.
+/// How the native engine goes about its work. No bit of a result depends on it.
 struct NativeOptions {
-  native::Arithmetic arithmetic = native::Arithmetic::portable;
   int threads = 0;                   ///< 0: one below 10 000 grains, else one for each core
   double first_allowance = 1e-3;     ///< by how much a grain may stray at first before the pair list is built anew, in
                                      ///< smallest diameters
@@ -24,7 +23,7 @@ struct NativeOptions {
 /// This project's own engine: the same law, scheme and order of operations as LIGGGHTS with histories cleared at
 /// separation, in tiles of contacts for wide vectors (see native/contact_pass.hpp). Second order in dt_L without
 /// dashpots, which see the velocities of the half step and make it first order. Same bits for any number of threads,
-/// time of building the pair list and, in portable arithmetic, any compiler and instruction set. Ranks of MPI each compute the same.
+/// time of building the pair list, compiler and instruction set. Ranks of MPI each compute the same.
 ///
 /// `Real` is the precision of the law, the histories and the sums of forces; positions, gaps and the integration are in
 /// double. In float, forces carry rounding of 1e-7 of the largest: prepare samples in double.

@@ -16,12 +16,9 @@ namespace flowslide::native {
   Passes<float> float_passes();       \
   }
 FLOWSLIDE_DECLARE_PASSES(baseline)
-FLOWSLIDE_DECLARE_PASSES(baseline_fused)
 #ifdef FLOWSLIDE_X86
 FLOWSLIDE_DECLARE_PASSES(avx2)
-FLOWSLIDE_DECLARE_PASSES(avx2_fused)
 FLOWSLIDE_DECLARE_PASSES(avx512)
-FLOWSLIDE_DECLARE_PASSES(avx512_fused)
 #endif
 
 namespace {
@@ -29,19 +26,15 @@ namespace {
 /// The two makers of one compilation.
 struct Maker {
   const char* set;
-  Arithmetic arithmetic;
   Passes<double> (*doubles)();
   Passes<float> (*floats)();
 };
 
 constexpr Maker makers[] = {
-    {"baseline", Arithmetic::portable, baseline::double_passes, baseline::float_passes},
-    {"baseline", Arithmetic::fused, baseline_fused::double_passes, baseline_fused::float_passes},
+    {"baseline", baseline::double_passes, baseline::float_passes},
 #ifdef FLOWSLIDE_X86
-    {"avx2", Arithmetic::portable, avx2::double_passes, avx2::float_passes},
-    {"avx2", Arithmetic::fused, avx2_fused::double_passes, avx2_fused::float_passes},
-    {"avx512", Arithmetic::portable, avx512::double_passes, avx512::float_passes},
-    {"avx512", Arithmetic::fused, avx512_fused::double_passes, avx512_fused::float_passes},
+    {"avx2", avx2::double_passes, avx2::float_passes},
+    {"avx512", avx512::double_passes, avx512::float_passes},
 #endif
 };
 
@@ -62,10 +55,10 @@ std::vector<std::string> instruction_sets() {
 }
 
 template <typename Real>
-Passes<Real> passes(const std::string& instruction_set, Arithmetic arithmetic) {
+Passes<Real> passes(const std::string& instruction_set) {
   const std::vector<std::string> here = instruction_sets();
   for (const Maker& maker : makers) {
-    if (maker.set != instruction_set || maker.arithmetic != arithmetic) continue;
+    if (maker.set != instruction_set) continue;
     if (std::find(here.begin(), here.end(), instruction_set) == here.end()) continue;
     if constexpr (std::is_same_v<Real, double>)
       return maker.doubles();
@@ -76,7 +69,7 @@ Passes<Real> passes(const std::string& instruction_set, Arithmetic arithmetic) {
       fmt::format("there is no instruction set '{}' here; choose one of: {}", instruction_set, fmt::join(here, ", ")));
 }
 
-template Passes<double> passes<double>(const std::string&, Arithmetic);
-template Passes<float> passes<float>(const std::string&, Arithmetic);
+template Passes<double> passes<double>(const std::string&);
+template Passes<float> passes<float>(const std::string&);
 
 }  // namespace flowslide::native

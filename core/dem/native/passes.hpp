@@ -8,18 +8,10 @@
 
 namespace flowslide::native {
 
-/// Stands for the bits of this version in portable arithmetic: the hash of a state after 1000 steps that
-/// determinism_test finds. Prepared samples are kept under it, so that a change of the bits prepares them anew.
-inline constexpr const char* bits_in_double = "6d2bf90813a0e2a9";
+/// Stands for the bits of this version: the hash of a state after 1000 steps that determinism_test finds. Prepared samples are kept under it, so that a change of the bits prepares them anew.
+inline constexpr const char* bits_in_double = "10f7bf0e497ba73c";
 
-/// How sums of products are rounded.
-enum class Arithmetic {
-  portable,  ///< after each operation: the same bits from every compiler and on every processor
-  fused      ///< at the compiler's choice once for a product and a sum, which is faster where the processor can
-};
-
-/// The loops over pairs and grains, compiled for one instruction set. In portable arithmetic all sets give the same
-/// bits.
+/// The loops over pairs and grains, compiled for one instruction set. All sets give the same bits.
 template <typename Real>
 struct Passes {
   ContactPass<Real> contacts;
@@ -33,6 +25,6 @@ std::vector<std::string> instruction_sets();
 
 /// The passes of one of them; throws std::invalid_argument for another name. `Real` is double or float.
 template <typename Real>
-Passes<Real> passes(const std::string& instruction_set, Arithmetic arithmetic);
+Passes<Real> passes(const std::string& instruction_set);
 
 }  // namespace flowslide::native

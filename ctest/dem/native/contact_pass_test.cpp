@@ -25,7 +25,7 @@ TYPED_TEST_SUITE(ContactPassOf, Precisions);
 
 template <typename Real>
 Passes<Real> widest() {
-  return passes<Real>(instruction_sets().back(), Arithmetic::portable);
+  return passes<Real>(instruction_sets().back());
 }
 
 TYPED_TEST(ContactPassOf, EveryLawIsThatOfTheGrains) {

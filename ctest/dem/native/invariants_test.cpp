@@ -176,8 +176,8 @@ TEST(Invariants, ExchangeOfTwoGrainsChangesNoBit) {
   }
 }
 
-TEST(Invariants, AQuarterTurnAboutZChangesNoBit) {
-  // Sums of squares and products begin with x and y, so that their order does not matter either.
+TEST(Invariants, AQuarterTurnAboutZTurnsTheAnswer) {
+  // But for rounding: a sum of products is not rounded alike in another order.
   const auto turn = [](const Vector3& v) { return Vector3(-v.y(), v.x(), v.z()); };
   const EngineSettings settings{Material{}, step, 0.1};
   Assembly cloud = clustered_cloud(17, cube(0.04, false), {.grains = 80, .overlap = 0.003});
@@ -190,12 +190,18 @@ TEST(Invariants, AQuarterTurnAboutZChangesNoBit) {
   }
   ASSERT_GT(cloud.contacts.size(), 50u);
   const Assembly a = run(cloud, settings, 300), b = run(turned, settings, 300);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    EXPECT_EQ(turn(a.position[i]), b.position[i]);
-    EXPECT_EQ(turn(a.velocity[i]), b.velocity[i]);
-    EXPECT_EQ(turn(a.spin[i]), b.spin[i]);
-    EXPECT_EQ(turn(a.torque[i]), b.torque[i]);
-  }
+  const auto difference = [&](const std::vector<Vector3> Assembly::*array) {
+    double largest = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      largest = std::max(largest, (turn((a.*array)[i]) - (b.*array)[i]).norm());
+      scale = std::max(scale, (a.*array)[i].norm());
+    }
+    std::printf("differs by %.1e of the largest\n", largest / scale);
+    return largest / scale;
+  };
+  EXPECT_LT(difference(&Assembly::position), 1e-14);
+  for (const auto array : {&Assembly::velocity, &Assembly::spin, &Assembly::force, &Assembly::torque})
+    EXPECT_LT(difference(array), 1e-10);  // rounding, and what 300 steps of stiff contacts make of it
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ constexpr MotionPart parts[] = {MotionPart::end, MotionPart::begin, MotionPart::
 
 template <typename Real>
 Passes<Real> widest() {
-  return passes<Real>(instruction_sets().back(), Arithmetic::portable);
+  return passes<Real>(instruction_sets().back());
 }
 
 TYPED_TEST(MotionPassOf, IsVelocityVerletInDouble) {

@@ -91,11 +91,9 @@ TEST(NativeEngine, ChoosesItsThreadsAndRefusesWhatItCannotDo) {
   EXPECT_THROW(engine.load(touching_lattice(), settings), std::invalid_argument);
 }
 
-TEST(NativeEngine, NamesItsPrecisionAndItsArithmetic) {
-  using native::Arithmetic;
+TEST(NativeEngine, NamesItsPrecision) {
   EXPECT_EQ(DoubleEngine().name(), "native");
-  EXPECT_EQ(DoubleEngine({.arithmetic = Arithmetic::fused}).name(), "native-fused");
-  EXPECT_EQ(MixedEngine({.arithmetic = Arithmetic::fused}).name(), "native-mixed");
+  EXPECT_EQ(MixedEngine().name(), "native-mixed");
 }
 
 TEST(NativeEngine, TakesAnotherAssemblyOfAnotherSize) {

@@ -31,10 +31,10 @@ TYPED_TEST(PassesOf, EveryInstructionSetGivesTheSameBitsOfContacts) {
       RandomPairs<TypeParam> start(5);
       if (shared) start.share_first();
       RandomPairs<TypeParam> expected = start;
-      expected.evaluate(passes<TypeParam>("baseline", Arithmetic::portable), variant);
+      expected.evaluate(passes<TypeParam>("baseline"), variant);
       for (const std::string& set : instruction_sets()) {
         RandomPairs<TypeParam> pairs = start;
-        pairs.evaluate(passes<TypeParam>(set, Arithmetic::portable), variant);
+        pairs.evaluate(passes<TypeParam>(set), variant);
         expect_same_bytes(pairs.loads, expected.loads, set);
         expect_same_bytes(pairs.across, expected.across, set);
         for (std::size_t h = 0; h < 6; ++h) expect_same_bytes(pairs.history[h], expected.history[h], set);
@@ -42,40 +42,16 @@ TYPED_TEST(PassesOf, EveryInstructionSetGivesTheSameBitsOfContacts) {
     }
 }
 
-TYPED_TEST(PassesOf, FusedArithmeticAgreesToRounding) {
-  // Units in the last place of the terms, of which 2.2e-16 and 1.2e-7 is one, some ten of them; a dashpot sees what
-  // is left of velocities that are up to 100 times as large.
-  const double within = std::is_same_v<TypeParam, double> ? 1e-12 : 1e-5;
-  for (const LawVariant variant : variants) {
-    RandomPairs<TypeParam> expected(6);
-    expected.evaluate(passes<TypeParam>("baseline", Arithmetic::portable), variant);
-    for (const std::string& set : instruction_sets()) {
-      RandomPairs<TypeParam> pairs(6);
-      pairs.evaluate(passes<TypeParam>(set, Arithmetic::fused), variant);
-      for (std::size_t p = 0; p < pairs.first.size(); ++p) {
-        if (pairs.overlap(p) <= 0.0) continue;
-        const PairConstants c = pair_constants(Material{}, pairs.first_radius[p], pairs.second_radius[p]);
-        const Vector3 force = vector_of(expected.loads[2 * p].force), torque = vector_of(expected.loads[2 * p].torque);
-        const double scale = normal_force(c, pairs.overlap(p), 0.0) + force.norm();
-        EXPECT_LT((vector_of(pairs.loads[2 * p].force) - force).norm(), within * scale) << set;
-        EXPECT_LT((vector_of(pairs.loads[2 * p].torque) - torque).norm(), within * (6e-3 * scale + torque.norm()));
-        EXPECT_LT((pairs.spring(p) - expected.spring(p)).norm(), within * (expected.spring(p).norm() + 2e-6)) << set;
-        EXPECT_LT((pairs.torque(p) - expected.torque(p)).norm(), within * (expected.torque(p).norm() + 1e-6)) << set;
-      }
-    }
-  }
-}
-
 TYPED_TEST(PassesOf, EveryInstructionSetGivesTheSameBitsOfGrains) {
   for (const MotionPart part : {MotionPart::end, MotionPart::begin, MotionPart::end_and_begin}) {
     MovingBodies<TypeParam> expected;
-    const Passes<TypeParam> baseline = passes<TypeParam>("baseline", Arithmetic::portable);
+    const Passes<TypeParam> baseline = passes<TypeParam>("baseline");
     const MotionExtremes extremes = expected.move(baseline, part);
     const double slack = expected.slack(baseline);
     const Moments moments = expected.moments(baseline);
     for (const std::string& set : instruction_sets()) {
       MovingBodies<TypeParam> moving;
-      const Passes<TypeParam> here = passes<TypeParam>(set, Arithmetic::portable);
+      const Passes<TypeParam> here = passes<TypeParam>(set);
       const MotionExtremes found = moving.move(here, part);
       EXPECT_EQ(found.fluctuation_squared, extremes.fluctuation_squared) << set;
       EXPECT_EQ(found.outside, extremes.outside) << set;
@@ -97,13 +73,10 @@ TEST(Passes, KnowTheirInstructionSetsAndNoOther) {
   const auto sets = instruction_sets();
   ASSERT_FALSE(sets.empty());
   EXPECT_EQ(sets.front(), "baseline");
-  for (const std::string& set : sets) {
-    std::printf("instruction set %s\n", set.c_str());
-    EXPECT_NE(passes<double>(set, Arithmetic::fused).contacts, passes<double>(set, Arithmetic::portable).contacts);
-  }
-  for (const char* unknown : {"sse", "", "avx2_fused"})
+  for (const std::string& set : sets) std::printf("instruction set %s\n", set.c_str());
+  for (const char* unknown : {"sse", "", "AVX2"})
     try {
-      passes<float>(unknown, Arithmetic::portable);
+      passes<float>(unknown);
       FAIL() << "there is an instruction set '" << unknown << "'";
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("baseline"), std::string::npos);

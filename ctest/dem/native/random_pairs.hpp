@@ -133,7 +133,8 @@ struct RandomPairs {
   }
   double overlap(std::size_t p) const {
     const Vector3 d = separation(p);
-    return first_radius[p] + second_radius[p] - std::sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
+    const double squared = std::fma(d.z(), d.z(), std::fma(d.y(), d.y(), d.x() * d.x()));
+    return first_radius[p] + second_radius[p] - std::sqrt(squared);
   }
   Vector3 spring(std::size_t p) const { return {history[0][p], history[1][p], history[2][p]}; }
   Vector3 torque(std::size_t p) const { return {history[3][p], history[4][p], history[5][p]}; }

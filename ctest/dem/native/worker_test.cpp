@@ -42,7 +42,7 @@ class Team {
     const auto hire = [&](std::size_t end) {
       const Share share{begin, end};
       workers_.emplace_back(share, grains_, Boundaries(assembly_.cell, {Material{}, pass_step, drag}, share), 1e-5,
-                            passes<Real>(instruction_sets().back(), Arithmetic::portable));
+                            passes<Real>(instruction_sets().back()));
       begin = end;
     };
     for (const std::size_t cut : cuts) hire(cut);

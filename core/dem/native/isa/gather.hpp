@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "dem/native/isa/fused.hpp"
 #include "dem/native/isa/roots.hpp"
 #include "dem/native/isa/tile.hpp"
 #include "dem/native/isa/transpose.hpp"
@@ -62,7 +63,7 @@ inline void measure(double squared, double touching, Real& inverse_distance, Rea
     const double depth = touching - distance;
     overlap = depth > 0.0 ? depth : 0.0;
   } else {
-    const float difference = static_cast<float>(touching * touching - squared);
+    const float difference = static_cast<float>(std::fma(touching, touching, -squared));
     const float distance = std::sqrt(static_cast<float>(squared)), sum = static_cast<float>(touching) + distance;
     const float inverse = 1.0F / (distance * sum);
     inverse_distance = sum * inverse;
@@ -89,7 +90,7 @@ inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Re
   for (int k = 0; k < Tile<Real>::size; ++k) {
     const double dx = t.separation[0][k], dy = t.separation[1][k], dz = t.separation[2][k];
     Real inverse, overlap;
-    measure(dx * dx + dy * dy + dz * dz, first_radius[k] + second_radius[k], inverse, overlap);
+    measure(dot(dx, dy, dz, dx, dy, dz), first_radius[k] + second_radius[k], inverse, overlap);
     const Real half = Real(0.5) * overlap;
     const Real first = static_cast<Real>(first_radius[k]) - half, second = static_cast<Real>(second_radius[k]) - half;
     t.normal[0][k] = static_cast<Real>(dx) * inverse;
@@ -102,7 +103,7 @@ inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Re
     if constexpr (Spins) {
       for (int axis = 0; axis < 3; ++axis) {
         const Real spin_first = t.surface_spin[axis][k], spin_second = t.relative_spin[axis][k];
-        t.surface_spin[axis][k] = first * spin_first + second * spin_second;
+        t.surface_spin[axis][k] = first * spin_first + second * spin_second;  // unfused: the same from either grain
         t.relative_spin[axis][k] = spin_first - spin_second;
       }
     }

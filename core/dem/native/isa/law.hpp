@@ -4,6 +4,7 @@
 #pragma once
 #include <cmath>
 
+#include "dem/native/isa/fused.hpp"
 #include "dem/native/isa/roots.hpp"
 #include "dem/native/isa/tile.hpp"
 
@@ -18,6 +19,7 @@ inline namespace FLOWSLIDE_ISA {
 /// sliding.
 template <typename Real, bool Sliding, bool Rolling>
 inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
+  using std::fma;
   constexpr Real tiny = smallest_argument<Real>;  // keeps 0/0 away and nothing else
   const Real* __restrict radii = t.effective_radius;
   const Real* __restrict root_masses = t.root_effective_mass;
@@ -33,26 +35,27 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
     const Real nx = t.normal[0][k], ny = t.normal[1][k], nz = t.normal[2][k];
     const Real kn = c.normal_stiffness * t.root[k];
     const Real dashpot = t.fourth_root[k] * root_masses[k];
-    const Real vn = t.velocity[0][k] * nx + t.velocity[1][k] * ny + t.velocity[2][k] * nz;
-    const Real normal = kn * t.overlap[k] - c.normal_damping * dashpot * vn;
+    const Real ux = t.velocity[0][k], uy = t.velocity[1][k], uz = t.velocity[2][k];
+    const Real vn = dot(ux, uy, uz, nx, ny, nz);
+    const Real normal = difference_of_products(kn, t.overlap[k], c.normal_damping * dashpot, vn);
     const Real bound = std::fabs(normal);
 
     Real fx = 0, fy = 0, fz = 0;  // tangential force
     if constexpr (Sliding) {
       // v_t = v - (v.n) n - W x n, W = c_1 w_1 + c_2 w_2; the spring advances and turns with the contact.
       const Real wx = t.surface_spin[0][k], wy = t.surface_spin[1][k], wz = t.surface_spin[2][k];
-      const Real vx = t.velocity[0][k] - vn * nx - (nz * wy - ny * wz);
-      const Real vy = t.velocity[1][k] - vn * ny - (nx * wz - nz * wx);
-      const Real vz = t.velocity[2][k] - vn * nz - (ny * wx - nx * wy);
-      Real sx = spring_x[k] + vx * c.time_step;
-      Real sy = spring_y[k] + vy * c.time_step;
-      Real sz = spring_z[k] + vz * c.time_step;
-      const Real along = sx * nx + sy * ny + sz * nz;
-      sx -= along * nx;
-      sy -= along * ny;
-      sz -= along * nz;
+      const Real vx = fma(-vn, nx, ux) - difference_of_products(nz, wy, ny, wz);
+      const Real vy = fma(-vn, ny, uy) - difference_of_products(nx, wz, nz, wx);
+      const Real vz = fma(-vn, nz, uz) - difference_of_products(ny, wx, nx, wy);
+      Real sx = fma(vx, c.time_step, spring_x[k]);
+      Real sy = fma(vy, c.time_step, spring_y[k]);
+      Real sz = fma(vz, c.time_step, spring_z[k]);
+      const Real along = dot(sx, sy, sz, nx, ny, nz);
+      sx = fma(-along, nx, sx);
+      sy = fma(-along, ny, sy);
+      sz = fma(-along, nz, sz);
       const Real kt = c.tangential_stiffness * t.root[k];
-      const Real elastic = kt * std::sqrt(sx * sx + sy * sy + sz * sz) + tiny;
+      const Real elastic = fma(kt, std::sqrt(dot(sx, sy, sz, sx, sy, sz)), tiny);
       const Real cap = c.sliding_friction * bound;
       const bool sticks = elastic <= cap;
       const Real ratio = cap / elastic;
@@ -61,9 +64,9 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
       sx *= scale;
       sy *= scale;
       sz *= scale;
-      fx = -kt * sx - damping * vx;
-      fy = -kt * sy - damping * vy;
-      fz = -kt * sz - damping * vz;
+      fx = difference_of_products(-kt, sx, damping, vx);
+      fy = difference_of_products(-kt, sy, damping, vy);
+      fz = difference_of_products(-kt, sz, damping, vz);
       spring_x[k] = sx;
       spring_y[k] = sy;
       spring_z[k] = sz;
@@ -71,16 +74,17 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
 
     Real mx = 0, my = 0, mz = 0;  // rolling torque
     if constexpr (Rolling) {
-      const Real along = t.relative_spin[0][k] * nx + t.relative_spin[1][k] * ny + t.relative_spin[2][k] * nz;
-      const Real wx = t.relative_spin[0][k] - along * nx;
-      const Real wy = t.relative_spin[1][k] - along * ny;
-      const Real wz = t.relative_spin[2][k] - along * nz;
+      const Real rx = t.relative_spin[0][k], ry = t.relative_spin[1][k], rz = t.relative_spin[2][k];
+      const Real along = dot(rx, ry, rz, nx, ny, nz);
+      const Real wx = fma(-along, nx, rx);
+      const Real wy = fma(-along, ny, ry);
+      const Real wz = fma(-along, nz, rz);
       const Real radius = radii[k];
       const Real turn = c.time_step * (c.rolling_stiffness * kn * (radius * radius));
-      mx = torque_x[k] + wx * turn;
-      my = torque_y[k] + wy * turn;
-      mz = torque_z[k] + wz * turn;
-      const Real squared = mx * mx + my * my + mz * mz;
+      mx = fma(wx, turn, torque_x[k]);
+      my = fma(wy, turn, torque_y[k]);
+      mz = fma(wz, turn, torque_z[k]);
+      const Real squared = dot(mx, my, mz, mx, my, mz);
       const Real cap = c.rolling_friction * bound * radius;
       const bool holds = squared <= cap * cap;
       const Real ratio = cap * inverse_root(squared > tiny ? squared : tiny);
@@ -92,23 +96,25 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
       torque_x[k] = mx;
       torque_y[k] = my;
       torque_z[k] = mz;
-      mx += damping * wx;
-      my += damping * wy;
-      mz += damping * wz;
+      mx = fma(damping, wx, mx);
+      my = fma(damping, wy, my);
+      mz = fma(damping, wz, mz);
     }
 
-    t.force[0][k] = normal * nx + fx;
-    t.force[1][k] = normal * ny + fy;
-    t.force[2][k] = normal * nz + fz;
+    t.force[0][k] = fma(normal, nx, fx);
+    t.force[1][k] = fma(normal, ny, fy);
+    t.force[2][k] = fma(normal, nz, fz);
     // Torques: the lever arm times F_t x n on either, minus the rolling torque on the first, plus on the second.
-    const Real qx = nz * fy - ny * fz, qy = nx * fz - nz * fx, qz = ny * fx - nx * fy;
+    const Real qx = difference_of_products(nz, fy, ny, fz);
+    const Real qy = difference_of_products(nx, fz, nz, fx);
+    const Real qz = difference_of_products(ny, fx, nx, fy);
     const Real first = t.arm[0][k], second = t.arm[1][k];
-    t.torque[0][0][k] = first * qx - mx;
-    t.torque[0][1][k] = first * qy - my;
-    t.torque[0][2][k] = first * qz - mz;
-    t.torque[1][0][k] = second * qx + mx;
-    t.torque[1][1][k] = second * qy + my;
-    t.torque[1][2][k] = second * qz + mz;
+    t.torque[0][0][k] = fma(first, qx, -mx);
+    t.torque[0][1][k] = fma(first, qy, -my);
+    t.torque[0][2][k] = fma(first, qz, -mz);
+    t.torque[1][0][k] = fma(second, qx, mx);
+    t.torque[1][1][k] = fma(second, qy, my);
+    t.torque[1][2][k] = fma(second, qz, mz);
   }
 }
 

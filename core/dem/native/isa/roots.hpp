@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Roots by Newton's iteration in double, where the square root of a wide vector takes as long as 50 products: with
-// plain sums and products alone they have the same bits on every processor. Float has a fast root.
+// Roots by Newton's iteration in double, where the square root of a wide vector takes as long as 50 products: from
+// sums and products alone, they have the same bits on every processor. Float has a fast root.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -19,7 +19,7 @@ inline constexpr Real smallest_argument = std::is_same_v<Real, double> ? Real(1e
 inline double inverse_root(double x) {
   double y = std::bit_cast<double>(0x5fe6ec85cfb83998 - (std::bit_cast<std::uint64_t>(x) >> 1));
   const double half = 0.5 * x;
-  for (int i = 0; i < 4; ++i) y *= 1.5 - half * y * y;
+  for (int i = 0; i < 4; ++i) y *= std::fma(-half * y, y, 1.5);
   return y;
 }
 inline float inverse_root(float x) { return 1.0F / std::sqrt(x); }
@@ -32,10 +32,10 @@ inline void two_roots(double x, double& root, double& fourth_root) {
   const double quarter = 0.25 * clamped;
   for (int i = 0; i < 3; ++i) {
     const double squared = z * z;
-    z *= 1.25 - quarter * (squared * squared);
+    z *= std::fma(-quarter * squared, squared, 1.25);
   }
   const double squared = z * z;
-  z += z * (0.25 - quarter * (squared * squared));  // the last as a small correction, which rounds less
+  z = std::fma(z, std::fma(-quarter * squared, squared, 0.25), z);  // the last as a small correction, which rounds less
   root = x * (z * z);
   fourth_root = root * z;
 }
