@@ -106,7 +106,10 @@ Options read_options(int argc, char** argv) {
     throw ConfigurationError(error.what());
   }
   std::vector<std::string> rest = app.remaining();
-  rest.insert(rest.begin(), {argv[0], "--benchmark_repetitions=7", "--benchmark_enable_random_interleaving=true"});
+  // By turns in an order that is drawn, unless several ranks would each draw their own and wait for one another.
+  const char* turns = mpi_ranks() == 1 ? "true" : "false";
+  rest.insert(rest.begin(), {argv[0], "--benchmark_repetitions=7",
+                             fmt::format("--benchmark_enable_random_interleaving={}", turns)});
   std::vector<char*> words;
   for (std::string& word : rest) words.push_back(word.data());
   int count = static_cast<int>(words.size());
