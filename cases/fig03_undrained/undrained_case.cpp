@@ -31,15 +31,14 @@ void UndrainedCase::read(const Configuration& configuration) {
   engine_ = configuration.text("engine", engine_names());
   preparation_engine_ = configuration.text("preparation.engine", engine_names());
   slope_ = read_slope(configuration);
-  material_ = read_material(configuration);
   seed_ = configuration.integer("seed", Range::between(0, 1e9));
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
   for (int replicate = 0; replicate < replicates; ++replicate)
-    samples_.push_back(read_samples(configuration, slope_, material_, replicate));
+    samples_.push_back(read_samples(configuration, slope_, replicate));
   time_step_ = configuration.quantity("shear.time_step", dimension::time, Range::positive());
   if (!samples_.front().empty())
     check_time_step(configuration, "shear.time_step", samples_.front().front().recipe.packing.smallest_diameter,
-                    material_);
+                    samples_.front().front().recipe.material);
   for (int replicate = 0; replicate < replicates; ++replicate)
     for (const std::string& name : configuration.subtables("point")) read_curve(configuration, name, replicate);
 }
@@ -96,7 +95,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const FoundSample found = prepare(running, run);
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
 
-  DemSample sample(*engine, found.sample.assembly, {material_, time_step_, 0.0});
+  DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, time_step_, 0.0});
   Progress progress(point.name, running.test.steps(time_step_), run.progress);
   Pictures pictures(running.picture_strain);
   const Series series =

@@ -41,7 +41,6 @@ class UndrainedCase : public Case {
   std::string engine_, preparation_engine_;
   std::int64_t seed_ = 1;
   double time_step_ = 0.0;
-  Material material_;
   SlopeProperties slope_;
   std::vector<std::vector<SampleSpecification>> samples_;  ///< per replicate
   std::vector<Curve> curves_;

@@ -27,6 +27,14 @@ ConstantRate read_constant_rate(const Tables& table) {
   return loading;
 }
 
+std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
+  coupling.accept({"probed_strain", "rested_strain"});
+  if (!coupling.has("rest_stress")) return std::nullopt;
+  return LiquefiedRest{coupling.positive("rest_stress", dimension::stress),
+                       coupling.positive("probed_strain", dimension::dimensionless),
+                       coupling.positive("rested_strain", dimension::dimensionless)};
+}
+
 /// Refuses a dt_G beyond the limit of stability `limit` (s) of `what`.
 void check_stability(const Tables& table, double time_step, double limit, const std::string& what) {
   if (time_step <= limit) return;
@@ -98,6 +106,9 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
                                                : ResidualTreatment::stays;
   if (coupling.has("initial_velocity"))
     settings.initial_velocity = coupling.quantity("initial_velocity", dimension::velocity);
+  if (coupling.has("stress_interval"))
+    settings.stress_interval = coupling.integer("stress_interval", Range::between(1, most_steps_allowed));
+  settings.rest = read_rest(coupling);
   const double shear_modulus = coupling.positive("shear_modulus", dimension::stress);
   settings.oedometric_modulus = coupling.positive("oedometric_modulus", dimension::stress);
   if (coupling.flag("allow_unstable")) return settings;

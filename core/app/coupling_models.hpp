@@ -29,7 +29,8 @@ RateRule read_rate_rule(const Configuration& configuration, const TableNames& ta
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables);
 
 /// The two above, time_step, consolidation = "euler" or "exponential", residual = "fades", "left_out" or "stays",
-/// shear_modulus and oedometric_modulus (upper bounds of the sample's), initial_velocity if there. A dt_G beyond the
+/// shear_modulus and oedometric_modulus (upper bounds of the sample's); initial_velocity, stress_interval and, for a
+/// sample that rests when liquefied, rest_stress with probed_strain and rested_strain if there. A dt_G beyond the
 /// limit of stability that follows from them is refused unless allow_unstable. The loading is left to read_loading.
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains);

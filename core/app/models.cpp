@@ -16,33 +16,31 @@ constexpr std::uint64_t seeds_per_replicate = 1000;
 /// Of a lattice along one axis: the number of its grains is an int.
 constexpr int most_sites = 1000;
 
-LatticePacking read_packing(const Configuration& configuration) {
+LatticePacking read_packing(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
   LatticePacking packing;
-  const auto counts = configuration.integers("packing.lattice", Range::between(3, most_sites));
-  if (counts.size() != 3)
-    configuration.refuse("packing.lattice", "a lattice has three counts", "write it as [20, 20, 22]");
+  const auto counts = configuration.integers(table.key("lattice"), Range::between(3, most_sites));
+  if (counts.size() != 3) table.refuse("lattice", "a lattice has three counts", "write it as [20, 20, 22]");
   for (int axis = 0; axis < 3; ++axis) packing.counts[axis] = static_cast<int>(counts[axis]);
-  packing.smallest_diameter =
-      configuration.quantity("packing.smallest_diameter", dimension::length, Range::positive());
-  packing.largest_diameter = configuration.quantity("packing.largest_diameter", dimension::length,
-                                                    Range::at_least(packing.smallest_diameter));
+  packing.smallest_diameter = table.positive("smallest_diameter", dimension::length);
+  packing.largest_diameter =
+      table.quantity("largest_diameter", dimension::length, Range::at_least(packing.smallest_diameter));
   packing.seed = static_cast<std::uint64_t>(configuration.integer("seed", Range::between(0, 1e9)));
   return packing;
 }
 
-SampleRecipe read_preparation(const Configuration& configuration) {
+SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
   SampleRecipe recipe;
-  recipe.time_step = configuration.quantity("preparation.time_step", dimension::time, Range::positive());
-  recipe.loose_void_ratio = configuration.number("preparation.loose_void_ratio", Range::inside(0.95, 4.0));
-  recipe.compaction_rate = configuration.quantity("preparation.compaction_rate", dimension::rate, Range::positive());
-  const auto rates = configuration.quantities("preparation.servo_rates", dimension::rate, Range::positive());
-  if (rates.size() != 3)
-    configuration.refuse("preparation.servo_rates", "stages 2, 3 and 4 have one rate each", "give three rates");
+  recipe.time_step = table.positive("time_step", dimension::time);
+  recipe.loose_void_ratio = table.number("loose_void_ratio", Range::inside(0.95, 4.0));
+  recipe.compaction_rate = table.positive("compaction_rate", dimension::rate);
+  const auto rates = configuration.quantities(table.key("servo_rates"), dimension::rate, Range::positive());
+  if (rates.size() != 3) table.refuse("servo_rates", "stages 2, 3 and 4 have one rate each", "give three rates");
   for (int stage = 0; stage < 3; ++stage) recipe.servo_rates[stage] = rates[stage];
-  recipe.servo_interval =
-      static_cast<int>(configuration.integer("preparation.servo_interval", Range::between(1, 10000)));
-  recipe.stress_tolerance = configuration.number("preparation.stress_tolerance", Range::inside(0.0, 0.1));
-  recipe.kinetic_tolerance = configuration.number("preparation.kinetic_tolerance", Range::positive());
+  recipe.servo_interval = static_cast<int>(table.integer("servo_interval", Range::between(1, 10000)));
+  recipe.stress_tolerance = table.number("stress_tolerance", Range::inside(0.0, 0.1));
+  recipe.kinetic_tolerance = table.number("kinetic_tolerance", Range::positive());
   return recipe;
 }
 
@@ -73,29 +71,30 @@ SlopeProperties read_slope(const Configuration& configuration) {
   return slope;
 }
 
-Material read_material(const Configuration& configuration) {
+Material read_material(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
   Material material;
-  material.density = configuration.quantity("material.density", dimension::density, Range::positive());
-  material.youngs_modulus = configuration.quantity("material.youngs_modulus", dimension::stress, Range::positive());
-  material.poisson_ratio = configuration.number("material.poisson_ratio", Range::from_below(0.0, 0.5));
-  material.restitution = configuration.number("material.restitution", Range::above_up_to(0.0, 1.0));
-  material.sliding_friction = configuration.number("material.sliding_friction", Range::not_negative());
-  material.rolling_friction = configuration.number("material.rolling_friction", Range::not_negative());
-  material.rolling_stiffness = configuration.number("material.rolling_stiffness", Range::at_least(1.0));
-  material.rolling_viscous_damping =
-      configuration.number("material.rolling_viscous_damping", Range::not_negative());
+  material.density = table.positive("density", dimension::density);
+  material.youngs_modulus = table.positive("youngs_modulus", dimension::stress);
+  material.poisson_ratio = table.number("poisson_ratio", Range::from_below(0.0, 0.5));
+  material.restitution = table.number("restitution", Range::above_up_to(0.0, 1.0));
+  material.sliding_friction = table.number("sliding_friction", Range::not_negative());
+  material.rolling_friction = table.number("rolling_friction", Range::not_negative());
+  material.rolling_stiffness = table.number("rolling_stiffness", Range::at_least(1.0));
+  material.rolling_viscous_damping = table.number("rolling_viscous_damping", Range::not_negative());
   return material;
 }
 
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
-                                              const Material& material, int replicate) {
+                                              int replicate) {
   std::vector<SampleSpecification> samples;
   for (const std::string& name : configuration.subtables("sample")) {
     const std::string table = "sample." + name + ".";
-    SampleSpecification sample{name, read_preparation(configuration), {}};
-    sample.recipe.packing = read_packing(configuration);
+    const TableNames preparation{table + "preparation", "preparation"};
+    SampleSpecification sample{name, read_preparation(configuration, preparation), {}};
+    sample.recipe.packing = read_packing(configuration, {table + "packing", "packing"});
     sample.recipe.packing.seed += seed_offset(configuration, table + "seed_offsets", replicate);
-    sample.recipe.material = material;
+    sample.recipe.material = read_material(configuration, {table + "material", "material"});
     sample.recipe.normal_stress = initial_normal_stress(slope);
     sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
     sample.recipe.preparation_friction =
@@ -104,7 +103,8 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
     sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));
-    check_time_step(configuration, "preparation.time_step", sample.recipe.packing.smallest_diameter, material);
+    check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
+                    sample.recipe.packing.smallest_diameter, sample.recipe.material);
     try {
       validate(sample.recipe);
     } catch (const std::invalid_argument& error) {

@@ -2,6 +2,7 @@
 // The parts of a configuration that all cases share, as the structures that they stand for.
 #pragma once
 #include "app/configuration.hpp"
+#include "app/tables.hpp"
 #include "sample/recipe.hpp"
 #include "sample/void_ratio_search.hpp"
 #include "slope/statics.hpp"
@@ -12,7 +13,7 @@ namespace flowslide {
 SlopeProperties read_slope(const Configuration& configuration);
 
 /// Table [material]: Table 1 and the rolling parameters that it leaves open.
-Material read_material(const Configuration& configuration);
+Material read_material(const Configuration& configuration, const TableNames& tables = "material");
 
 /// One sample that a case needs.
 struct SampleSpecification {
@@ -21,13 +22,13 @@ struct SampleSpecification {
   VoidRatioTarget target;
 };
 
-/// The tables [sample.<name>], prepared as [packing] and [preparation] say, to the stresses of the slope; `isotropic`
-/// samples bear no shear stress. `replicate` (from 0) shifts the seed, by its entry of the list `seed_offsets` if the
+/// The tables [sample.<name>], made of [material] as [packing] and [preparation] say, to the stresses of the slope;
+/// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress. `replicate` (from 0) shifts the seed, by its entry of the list `seed_offsets` if the
 /// sample has one: seeds that a search has found already. Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
-                                              const Material& material, int replicate);
+                                              int replicate);
 
-/// Refuses the value of `key` (s) as a DEM time step unless it suits the smallest grain of [packing].
+/// Refuses the value of `key` (s) as a DEM time step unless it suits grains of that diameter (m) and material.
 void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
                      const Material& material);
 

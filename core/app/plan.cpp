@@ -16,7 +16,7 @@ std::string replicate_name(const std::string& point, int replicate) {
 }
 
 double seconds_per_grain_and_step(const std::string& engine) {
-  if (engine == "liggghts") return 1.6e-7;
+  if (engine.starts_with("liggghts")) return 1.6e-7;
   return engine.starts_with("native") ? 3.7e-8 : 0.0;
 }
 

@@ -56,26 +56,25 @@ SlideCase::SlideCase(CaseDescription description, std::filesystem::path folder)
 }
 
 void SlideCase::read(const Configuration& configuration) {
-  engine_ = configuration.text("engine", description_.engines);
+  const std::string engine = configuration.text("engine", description_.engines);
   preparation_engine_ = configuration.text("preparation.engine", engine_names());
   slope_ = read_slope(configuration);
-  material_ = read_material(configuration);
-  check_strength(configuration, slope_, material_.sliding_friction);
+  check_strength(configuration, slope_, read_material(configuration).sliding_friction);
   seed_ = configuration.integer("seed", Range::between(0, 1e9));
-  if (is_closed_form(engine_)) {
-    read_closed_form_sample(configuration, engine_, slope_);
-    closed_form_ = [configuration, engine = engine_, slope = slope_] {
+  if (is_closed_form(engine)) {
+    read_closed_form_sample(configuration, engine, slope_);
+    closed_form_ = [configuration, engine, slope = slope_] {
       return read_closed_form_sample(configuration, engine, slope);
     };
   }
   for (const std::string& name : closed_form_sample_names()) configuration.accept(name);
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
   for (int replicate = 0; replicate < replicates; ++replicate) {
-    const auto samples = read_samples(configuration, slope_, material_, replicate);
+    const auto samples = read_samples(configuration, slope_, replicate);
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
-      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine_, folder_);
+      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine, folder_);
       if (!read.test || !closed_form_) slides_.push_back(std::move(read));
     }
   }
@@ -95,7 +94,7 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
   const SlidePoint& planned = slide(point.name);
   const SlideSettings& settings = planned.settings;
   if (!closed_form_) print_sample_plan(out, planned.sample, preparation_engine_);
-  print_engine_plan(out, planned.sample.recipe, engine_, settings.passing.time_step);
+  print_engine_plan(out, planned.sample.recipe, planned.engine, settings.passing.time_step);
   if (planned.test) {
     out << fmt::format("# {} steps of {} s\n", planned.test->steps(settings.passing.time_step),
                        settings.passing.time_step);
@@ -110,7 +109,7 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   Loaded loaded;
   if (closed_form_) {
     loaded.sample = closed_form_();
-    loaded.engine_name = engine_;
+    loaded.engine_name = slide.engine;
     loaded.engine_version = run.provenance.code_version;
     return loaded;
   }
@@ -118,9 +117,9 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
       make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"));
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress);
   loaded.metrics = metrics_of(found);
-  loaded.engine = make_engine(engine_, run.output.file(slide.point.name + "." + engine_ + ".log"));
+  loaded.engine = make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"));
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
-                                            EngineSettings{material_, slide.settings.passing.time_step, 0.0});
+                                            EngineSettings{slide.sample.recipe.material, slide.settings.passing.time_step, 0.0});
   if (slide.linear_start) grains->start_linear_at_first_strain();
   loaded.grains = grains.get();
   loaded.sample = std::move(grains);
@@ -138,7 +137,8 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
 }
 
 SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  const GrainScale grains{lattice_packing(running.sample.recipe.packing).mean_diameter(), material_.density};
+  const GrainScale grains{lattice_packing(running.sample.recipe.packing).mean_diameter(),
+                          running.sample.recipe.material.density};
   Slide sliding(running.settings, *loaded.sample);
   SlideRecord record{running.rows, grains};
   ProfileRecord profile_record(running.profiles);
@@ -161,7 +161,7 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
   Loaded loaded = load(running, run);
   const auto [series, profiles, stop] = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
   Result result{run.provenance, run.configuration, run.configuration_hash, series, loaded.metrics};
-  for (const Metric& metric : slide_metrics({running, series, profiles, stop}))
+  for (const Metric& metric : slide_metrics({running, series, profiles, stop, loaded.grains}))
     if (std::isfinite(metric.value)) result.metrics.push_back(metric);
   result.provenance.engine = loaded.engine_name;
   result.provenance.engine_version = loaded.engine_version;

@@ -21,6 +21,7 @@ struct SlideOutcome {
   const Series& series;     ///< see slide_series, or element_test_series
   const Series& profiles;   ///< see ProfileRecord; without columns if none were asked for
   Stop stop;                ///< why it ended
+  const DemSample* grains;  ///< the sample as it is left; null if it is not made of grains
 };
 
 class SlideCase : public Case {
@@ -66,10 +67,9 @@ class SlideCase : public Case {
 
   CaseDescription description_;
   std::filesystem::path folder_;
-  std::string engine_, preparation_engine_;
+  std::string preparation_engine_;
   std::function<std::unique_ptr<Sample>()> closed_form_;  ///< in place of an engine
   std::int64_t seed_ = 1;
-  Material material_;
   SlopeProperties slope_;
   std::vector<SlidePoint> slides_;
 };

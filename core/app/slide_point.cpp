@@ -9,6 +9,7 @@
 #include "app/coupling_models.hpp"
 #include "app/element_test_model.hpp"
 #include "app/plan.hpp"
+#include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 
 namespace flowslide {
@@ -38,17 +39,24 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-void read_test(const Configuration& configuration, const std::string& engine, SlidePoint& read) {
+/// The engine of a point; `common` is that of the case.
+std::string engine_of(const Configuration& configuration, const std::string& key, const std::string& common) {
+  if (!configuration.has(key)) return common;
+  const std::string own = configuration.text(key, engine_names());
+  return seconds_per_grain_and_step(common) > 0.0 ? own : common;
+}
+
+void read_test(const Configuration& configuration, SlidePoint& read) {
   const std::string table = "point." + read.name;
   const TableNames coupling{table + ".coupling", "coupling"};
   read.test = read_element_test(configuration, {table, "element_test"}, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
-  check_local_time_step(configuration, coupling, read.sample.recipe, engine);
+  check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
   const auto steps = static_cast<double>(read.test->steps(read.settings.passing.time_step));
   read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
                                        read.sample.recipe.packing.seed, read.test->shear_rate,
                                        100.0 * read.test->final_strain);
-  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, engine);
+  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, read.engine);
 }
 
 std::string describe(const SlidePoint& point, const std::string& scheme) {
@@ -69,8 +77,9 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.sample = sample_named(configuration, table + "sample", samples);
   read.point.name = replicate_name(name, replicate);
   read.point.figures = configuration.texts(table + "figures");
+  read.engine = engine_of(configuration, table + "engine", engine);
   if (configuration.has(table + "final_strain")) {
-    read_test(configuration, engine, read);
+    read_test(configuration, read);
     return read;
   }
   const SampleRecipe& recipe = read.sample.recipe;
@@ -84,7 +93,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   const GrainScale grains{lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
   read.settings = read_coupling(configuration, coupling, own_slope, grains);
   read.settings.loading = read_loading(configuration, {table + "loading", "loading"}, folder);
-  check_local_time_step(configuration, coupling, recipe, engine);
+  check_local_time_step(configuration, coupling, recipe, read.engine);
   const Tables settings(configuration, coupling);
   read.linear_start = settings.has("linear_start") && settings.flag("linear_start");
   read.stop = read_stop(configuration, {table + "stop", "stop"});
@@ -92,7 +101,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.profiles = read_profile_plan(configuration, table + "profile_strains");
 
   read.point.description = describe(read, scheme);
-  read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), engine);
+  read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);
   return read;
 }
 

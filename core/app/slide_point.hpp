@@ -19,6 +19,7 @@ struct SlidePoint {
   std::string name;            ///< of the table
   int replicate = 0;           ///< from 0
   SampleSpecification sample;
+  std::string engine;          ///< or closed-form sample
   std::optional<ElementTest> test;  ///< of the sample alone, in place of a slide; it needs grains
   SlideSettings settings;           ///< of a test, the local time step alone
   bool linear_start = false;        ///< see DemSample::start_linear_at_first_strain
@@ -31,8 +32,8 @@ struct SlidePoint {
 /// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
 /// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
 /// an element test: [element_test] has what the point leaves out (see read_element_test), coupling the time step.
-/// `samples` are those of the replicate; `engine` is that of the slide, a closed-form sample among them, and decides
-/// the predicted time. Throws ConfigurationError.
+/// A key `engine` of the point stands in front of `engine`, that of the case, unless this is a closed-form sample.
+/// `samples` are those of the replicate; the engine decides the predicted time. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine, const std::filesystem::path& folder);

@@ -18,6 +18,9 @@ Slide::Slide(const SlideSettings& settings, Sample& sample)
       reading_(settings.residual, {driving_.initial(), driving_normal_stress_}, sample.stress()) {
   validate(settings.rate);
   validate(settings.passing);
+  if (settings.rest) validate(*settings.rest);
+  require(settings.stress_interval >= 1, "number of runs of the sample per measured stress",
+          static_cast<double>(settings.stress_interval), "1 or more", "Use 1 to measure after each.");
   require(std::isfinite(settings.initial_velocity), "initial velocity", settings.initial_velocity,
           "any finite value in m/s", "Use 0 to start at rest.");
   state_.driving_stress = driving_.at(0.0);
@@ -34,7 +37,9 @@ void Slide::step() {
   state_.global_rate = increment.norm() / settings_.time_step;
   // sigma stands for p: what glued layers wedge between them keeps the mean stress of the cell up when sigma is gone.
   state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal);
-  run_sample(pass(settings_.passing, state_.owed, increment, state_.rate_asked));
+  const bool resting =
+      settings_.rest && rests(*settings_.rest, state_.rest, increment.norm(), sample_.stress().normal);
+  run_sample(resting ? LocalRun{} : pass(settings_.passing, state_.owed, increment, state_.rate_asked));
 
   ++state_.exchanges;
   state_.time = static_cast<double>(state_.exchanges) * settings_.time_step;
@@ -43,10 +48,15 @@ void Slide::step() {
   state_.largest_velocity = std::max(state_.largest_velocity, state_.velocity);
 }
 
-void Slide::run_sample(const LocalRun& run) {
+void Slide::run_sample(LocalRun run) {
   state_.steps = run.steps;
   if (run.steps == 0) return;
-  state_.stress = reading_.read(sample_.strain(run));
+  run.measured = ++state_.unmeasured_runs >= settings_.stress_interval;
+  const CellStress stress = sample_.strain(run);
+  if (run.measured) {
+    state_.stress = reading_.read(stress);
+    state_.unmeasured_runs = 0;
+  }
   state_.rate_applied = Strain{run.rate.shear, run.rate.compression}.norm();
   state_.local_time += run.duration();
   state_.local_steps += run.steps;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cstdint>
+#include <optional>
 
+#include "coupling/liquefied_rest.hpp"
 #include "coupling/rate_rule.hpp"
 #include "coupling/strain.hpp"
 #include "coupling/strain_passing.hpp"
@@ -24,6 +26,8 @@ struct SlideSettings {
   StrainPassing passing;
   ResidualTreatment residual = ResidualTreatment::fades;
   double initial_velocity = 0.0;     ///< v^0, m/s
+  std::int64_t stress_interval = 1;  ///< the stress is measured after every n-th run of the sample, and held between
+  std::optional<LiquefiedRest> rest;  ///< none: the sample is given all strain
 };
 
 /// Everything that changes while a slope slides, but its sample: storing and restoring it (and the sample) goes on bit
@@ -42,6 +46,8 @@ struct SlideState {
   double rate_asked = 0.0;          ///< eps_L^U of the last step, 1/s
   double rate_applied = 0.0;        ///< to the sample the last time that it ran, 1/s
   std::int64_t steps = 0;           ///< n_step of the last step; 0 while strain accumulates
+  std::int64_t unmeasured_runs = 0;  ///< of the sample since its stress was measured
+  RestState rest;                   ///< of a sample that may rest when liquefied
   double local_time = 0.0;          ///< the local clock, s
   std::int64_t local_steps = 0;     ///< of all exchanges
 };
@@ -75,7 +81,7 @@ class Slide {
   const Sample& sample() const { return sample_; }
 
  private:
-  void run_sample(const LocalRun& run);
+  void run_sample(LocalRun run);
 
   SlideSettings settings_;
   Sample& sample_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <ctime>
+
 #include "sample/sample.hpp"
 
 namespace flowslide {
@@ -30,6 +32,9 @@ class DemSample : public Sample {
 
   double time() const { return time_; }       ///< local clock, s
   std::int64_t steps() const { return steps_; }  ///< since the sample was loaded
+  std::uint64_t size() const { return grains_; }  ///< number of grains
+  /// Processor time that `strain` has taken so far on this rank, s, summed over its threads.
+  double processor_seconds() const { return static_cast<double>(clock_ticks_) / CLOCKS_PER_SEC; }
   /// The grains now, checked: NumericalFailure if one has gone wrong.
   Assembly assembly() const;
   const EngineSettings& settings() const { return engine_.settings(); }
@@ -45,6 +50,7 @@ class DemSample : public Sample {
   double shear_strain_ = 0.0;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
+  std::clock_t clock_ticks_ = 0;
   CellStress stress_;
 };
 

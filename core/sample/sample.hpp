@@ -17,6 +17,8 @@ struct LocalRun {
   StrainRate rate;
   std::int64_t steps = 0;
   double time_step = 0.0;  ///< dt_L, s
+  /// False where the caller can do with the stress that was measured last: a sample may then save measuring it.
+  bool measured = true;
 
   /// t_DEM = n_step dt_L, s (eq. 15b).
   double duration() const { return static_cast<double>(steps) * time_step; }
@@ -26,7 +28,7 @@ struct LocalRun {
 class Sample {
  public:
   virtual ~Sample() = default;
-  /// Strains the sample and returns the stress at the end. Throws NumericalFailure.
+  /// Strains the sample and returns the stress at the end, or after the last measured run. Throws NumericalFailure.
   virtual CellStress strain(const LocalRun& run) = 0;
   virtual CellStress stress() const = 0;
   /// p, Pa, compression positive, of the soil away from the boundaries, moving grains included. For records: it may

@@ -123,6 +123,22 @@ TEST(ReadCoupling, TakesEveryValue) {
   EXPECT_EQ(coupling_of(with("n_accum = 10", "n_accum = 10\ninitial_velocity = \"1 cm/s\"")).initial_velocity, 0.01);
 }
 
+TEST(ReadCoupling, TakesHowOftenTheStressIsMeasuredAndWhenASampleRests) {
+  EXPECT_EQ(coupling_of(with()).stress_interval, 1);
+  EXPECT_FALSE(coupling_of(with()).rest);
+  const SlideSettings settings = coupling_of(with("n_accum = 10", R"(n_accum = 10
+stress_interval = 7
+rest_stress = "30 Pa"
+probed_strain = "1 %"
+rested_strain = 0.2)"));
+  EXPECT_EQ(settings.stress_interval, 7);
+  EXPECT_EQ(settings.rest->normal_stress, 30.0);
+  EXPECT_EQ(settings.rest->probed_strain, 0.01);
+  EXPECT_EQ(settings.rest->rested_strain, 0.2);
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nrest_stress = 30"), "coupling.probed_strain");
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nstress_interval = 0"), "coupling.stress_interval");
+}
+
 TEST(ReadCoupling, TakesEveryChoice) {
   const auto rate = [](const std::string& name) {
     return coupling_of(with("\"constant_inertial_number\"", '"' + name + '"')).rate;

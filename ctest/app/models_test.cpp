@@ -65,7 +65,7 @@ Configuration with(const std::string& from = "", const std::string& to = "") {
 }
 
 std::vector<SampleSpecification> samples_of(const Configuration& configuration, int replicate = 0) {
-  return read_samples(configuration, read_slope(configuration), read_material(configuration), replicate);
+  return read_samples(configuration, read_slope(configuration), replicate);
 }
 
 /// What is said of a configuration that has `to` in place of `from`.
@@ -115,6 +115,21 @@ TEST(ReadMaterial, RefusesWhatNoGrainHas) {
   EXPECT_CONTAINS(complaint("restitution = 0.8", "restitution = 0"),
                   "material.restitution = 0 is not allowed: it must be above 0 and at most 1");
   EXPECT_CONTAINS(complaint("sliding_friction = 0.5", "sliding_friction = -0.5"), "it must be at least 0");
+}
+
+TEST(ReadSamples, MayChangeGrainsAndPreparationOfOneSample) {
+  const auto samples = samples_of(with("preparation_friction = 0.3", R"(preparation_friction = 0.3
+packing.lattice = [6, 6, 6]
+preparation.time_step = 5e-6
+material.youngs_modulus = "8 GPa")"));
+  EXPECT_EQ(samples[1].recipe.packing.counts, (std::array{6, 6, 6}));
+  EXPECT_EQ(samples[1].recipe.time_step, 5e-6);
+  EXPECT_EQ(samples[1].recipe.material.youngs_modulus, 8e9);
+  EXPECT_EQ(samples[1].recipe.material.poisson_ratio, 0.25);
+  EXPECT_EQ(samples[0].recipe.packing.counts, (std::array{4, 5, 6}));
+  EXPECT_EQ(samples[0].recipe.material.youngs_modulus, 2e9);
+  EXPECT_CONTAINS(complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = 1e-3"),
+                  "sample.isotropic.preparation.time_step = 0.001 is not allowed");
 }
 
 TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {

@@ -12,7 +12,7 @@ SlidePoint read(const std::string& text, const std::string& name, int replicate 
                 const std::string& engine = "native") {
   const auto configuration = Configuration::from_text(text);
   const SlopeProperties slope = read_slope(configuration);
-  const auto samples = read_samples(configuration, slope, read_material(configuration), replicate);
+  const auto samples = read_samples(configuration, slope, replicate);
   return read_slide_point(configuration, name, replicate, samples, slope, engine, "/nowhere");
 }
 
@@ -43,6 +43,16 @@ rows.row_interval = "1 s"
   EXPECT_EQ(point.stop.end_time, 9.0);
   EXPECT_EQ(point.rows.interval, 1.0);
   EXPECT_EQ(point.profiles.strains, std::vector{0.1});
+}
+
+TEST(SlidePoint, MayHaveAnEngineOfItsOwn) {
+  const std::string text = slide_case_text() + "point.RD.engine = \"native-mixed\"\n";
+  EXPECT_EQ(read(text, "RD").engine, "native-mixed");
+  EXPECT_EQ(read(text, "RI").engine, "native");
+  EXPECT_EQ(read(text, "RD", 0, "elastic").engine, "elastic");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] {
+                    read(slide_case_text() + "point.RD.engine = \"lammps\"\n", "RD");
+                  }), "point.RD.engine");
 }
 
 TEST(SlidePoint, HasASampleOfItsOwnInEveryReplicate) {

@@ -202,5 +202,66 @@ TEST(Slide, RefusesSettingsThatDoNotFit) {
   refuse([](SlideSettings& s) { s.slope.angle = 0.3; });  // the sample was prepared at 5 degrees
 }
 
+/// An elastic sample that notes which runs were to be measured.
+class MeasuredSample : public ElasticSample {
+ public:
+  using ElasticSample::ElasticSample;
+  CellStress strain(const LocalRun& run) override {
+    measured += run.measured ? 1 : 0;
+    ++runs;
+    return ElasticSample::strain(run);
+  }
+  int runs = 0, measured = 0;
+};
+
+TEST(Slide, HoldsTheStressBetweenMeasuredRuns) {
+  SlideSettings settings = pulsed();
+  settings.initial_velocity = 0.1;
+  settings.passing.rule = WholeIncrement{};
+  settings.stress_interval = 5;
+  MeasuredSample sample(elastic_for(settings.slope));
+  Slide slide(settings, sample);
+  const double before = slide.state().stress.shear;
+  for (int n = 1; n <= 4; ++n) {
+    slide.step();
+    EXPECT_EQ(slide.state().stress.shear, before) << n;
+  }
+  slide.step();
+  EXPECT_EQ(slide.state().stress.shear, sample.stress().shear);
+  EXPECT_NE(slide.state().stress.shear, before);
+  for (int n = 0; n < 95; ++n) slide.step();
+  EXPECT_EQ(sample.runs, 100);
+  EXPECT_EQ(sample.measured, 20);
+}
+
+TEST(Slide, GivesALiquefiedSampleAsMuchStrainAsProbesTake) {
+  SlideSettings settings = pulsed();
+  settings.initial_velocity = 0.1;
+  settings.residual = ResidualTreatment::left_out;
+  settings.passing.rule = WholeIncrement{};
+  settings.rest = LiquefiedRest{initial_normal_stress(settings.slope), 1e-3, 9e-3};  // always "liquefied"
+  ElasticProperties properties = elastic_for(settings.slope);
+  properties.shear_modulus = 1.0;
+  ElasticSample sample(properties);
+  Slide slide(settings, sample);
+  for (int n = 0; n < 4000; ++n) slide.step();
+  // A tenth of the strain, but for one increment in every probe and the part of a cycle at the end.
+  const double strain = slide.state().strain.shear;
+  EXPECT_GT(strain, 0.1);
+  EXPECT_NEAR(sample.shear_strain(), 0.1 * strain, 0.02 * strain);
+  settings.rest.reset();
+  ElasticSample all(properties);
+  Slide without(settings, all);
+  for (int n = 0; n < 4000; ++n) without.step();
+  EXPECT_NEAR(all.shear_strain(), without.state().strain.shear, 1e-12);
+}
+
+TEST(Slide, RefusesToMeasureNever) {
+  SlideSettings settings = pulsed();
+  settings.stress_interval = 0;
+  ElasticSample sample(elastic_for(settings.slope));
+  EXPECT_THROW(Slide(settings, sample), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace flowslide

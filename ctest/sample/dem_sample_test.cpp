@@ -28,6 +28,17 @@ TEST_F(DemSampleTest, ClocksCountStepsAndStrain) {
   EXPECT_NEAR(sample.shear_strain(), (2.0 * 100 - 50) * step, 1e-18);
 }
 
+TEST_F(DemSampleTest, KeepsTheStressMeasuredLastWhereItNeedNotMeasure) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  const CellStress before = sample.strain({{2.0, 0.0}, 100, step});
+  EXPECT_EQ(sample.strain({{2.0, 0.0}, 100, step, false}).shear, before.shear);
+  EXPECT_EQ(sample.stress().normal, before.normal);
+  EXPECT_EQ(sample.steps(), 200);
+  EXPECT_NE(sample.strain({{2.0, 0.0}, 1, step}).shear, before.shear);
+  EXPECT_GT(sample.processor_seconds(), 0.0);
+  EXPECT_EQ(sample.size(), touching_lattice().size());
+}
+
 TEST_F(DemSampleTest, VolumetricStrainChangesTheVoidRatioByItself) {
   DemSample sample(*engine_, touching_lattice(), settings_);
   const double before = sample.void_ratio();

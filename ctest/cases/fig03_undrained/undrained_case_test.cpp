@@ -94,7 +94,7 @@ TEST_F(UndrainedProgram, PlansAndWritesNothing) {
 TEST_F(UndrainedProgram, PlansWithTheKeyThatTheCacheUses) {
   const auto setting = FLOWSLIDE_CASE_FOLDER "/case.toml";
   const Configuration configuration({setting, "quick", {}, {}});
-  const auto samples = read_samples(configuration, read_slope(configuration), read_material(configuration), 0);
+  const auto samples = read_samples(configuration, read_slope(configuration), 0);
   const auto engine = make_engine("native", "/dev/null");
   const std::string key = cache_key(samples.at(0).recipe, engine->name() + " " + engine->version());
   EXPECT_CONTAINS(run({"--dry-run", "--point", "e0_790"}).output, "first trial in the cache: " + key + "\n");

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "error_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+namespace flowslide {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::optional<double> value_in(const Result& result, const std::string& name) {
+  for (const Metric& metric : result.metrics)
+    if (metric.name == name) return metric.value;
+  return std::nullopt;
+}
+
+double mean_of(const Ensemble& ensemble, const std::string& metric) {
+  const std::vector<double> values = values_of(ensemble, metric);
+  return values.empty() ? 0.0 : statistics_of(values).mean;
+}
+
+SettingError setting_error(const Axis& axis, const std::string& setting, const Ensemble& runs,
+                           const Ensemble& reference) {
+  SettingError row{&axis, setting, {}, 0.0, "", 0.0, 0.0, 0.0, 0.0};
+  for (const std::string& quantity : quantities_of(axis.scene)) {
+    row.errors.push_back(error_of(runs, reference, quantity));
+    const double ratio = row.errors.back().ratio();
+    if (ratio <= row.error_over_spread && !row.worst.empty()) continue;
+    row.error_over_spread = std::isnan(ratio) ? infinite : ratio;
+    row.worst = quantity;
+  }
+  row.grains = mean_of(runs, "grains");
+  row.steps = mean_of(runs, "steps");
+  row.grain_steps = mean_of(runs, "grain_steps");
+  row.seconds = mean_of(runs, "processor_seconds");
+  return row;
+}
+
+void mark_front(std::vector<Candidate>& by_cost) {
+  double best = infinite;
+  for (Candidate& candidate : by_cost) {
+    candidate.on_front = candidate.error_over_spread < best;
+    best = std::min(best, candidate.error_over_spread);
+  }
+}
+
+}  // namespace
+
+QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const std::string& quantity) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> of_reference = values_of(reference, quantity);
+  if (of_reference.size() < reference.size()) return {quantity, nothing, nothing, nothing};
+  const Statistics exact = statistics_of(of_reference);
+  QuantityError result{quantity, nothing, nothing, 0.0};
+  std::vector<double> differences;
+  bool complete = true;
+  for (const Result& a : setting)
+    for (const Result& b : reference) {
+      if (a.provenance.replicate != b.provenance.replicate) continue;
+      const auto ours = value_in(a, quantity), theirs = value_in(b, quantity);
+      complete = complete && ours && theirs;
+      if (ours && theirs) differences.push_back(*ours - *theirs);
+    }
+  const double scale = std::abs(exact.mean);
+  result.spread = (exact.highest - exact.lowest) / scale;
+  if (!complete || differences.empty()) return result;
+  const Statistics all = statistics_of(differences);
+  result.error = std::abs(all.mean) / scale;
+  result.standard_error = all.standard_error / scale;
+  return result;
+}
+
+std::vector<SettingError> errors_of(const std::vector<Axis>& axes, const Ensembles& runs) {
+  std::vector<SettingError> rows;
+  for (const Axis& axis : axes) {
+    const auto reference = runs.find(axis.reference);
+    if (reference == runs.end()) continue;
+    for (const std::string& setting : axis.settings)
+      if (const auto found = runs.find(setting); found != runs.end())
+        rows.push_back(setting_error(axis, setting, found->second, reference->second));
+  }
+  std::sort(rows.begin(), rows.end(), [](const SettingError& a, const SettingError& b) {
+    return std::tie(a.axis->scene, a.seconds, a.setting, a.axis->name) <
+           std::tie(b.axis->scene, b.seconds, b.setting, b.axis->name);
+  });
+  return rows;
+}
+
+std::vector<Candidate> candidates_of(const std::vector<SettingError>& errors, Scene scene) {
+  std::vector<Candidate> candidates;
+  for (const SettingError& row : errors) {
+    if (row.axis->scene != scene || !row.axis->competes) continue;
+    const auto known = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& candidate) { return candidate.setting == row.setting; });
+    if (known == candidates.end())
+      candidates.push_back({row.setting, row.error_over_spread, row.seconds, row.grains, false});
+    else
+      known->error_over_spread = std::max(known->error_over_spread, row.error_over_spread);
+  }
+  mark_front(candidates);  // by cost they are, as the rows were
+  return candidates;
+}
+
+const Candidate* recommended(const std::vector<Candidate>& candidates) {
+  for (const Candidate& candidate : candidates)
+    if (candidate.error_over_spread <= 1.0) return &candidate;
+  return nullptr;
+}
+
+}  // namespace flowslide

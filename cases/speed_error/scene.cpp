@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace flowslide {
+namespace {
+
+constexpr double peak_before = 0.02;       ///< strain within which a loose sample has its peak
+constexpr double liquefied = 0.1;          ///< share of the first sigma
+constexpr double half = 0.5;               ///< strain
+constexpr double velocity_window = 0.1;    ///< s
+constexpr double pre_peak_from = 5e-4, pre_peak_to = 1.5e-3;  ///< strain
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+struct Peak {
+  double place, value;
+};
+
+/// The largest of `values` where `strain` is below peak_before, by the parabola through it and its neighbours `at` axis.
+Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, const std::vector<double>& strain) {
+  std::size_t top = 0;
+  for (std::size_t row = 0; row < values.size() && strain[row] <= peak_before; ++row)
+    if (values[row] > values[top]) top = row;
+  if (top == 0 || top + 1 == values.size()) return {at[top], values[top]};
+  const double left = at[top - 1] - at[top], right = at[top + 1] - at[top];
+  const double down = (values[top - 1] - values[top]) / left, up = (values[top + 1] - values[top]) / right;
+  const double curvature = (up - down) / (right - left), slope = down - curvature * left;
+  if (!(curvature < 0.0)) return {at[top], values[top]};
+  const double shift = std::clamp(-0.5 * slope / curvature, left, right);
+  return {at[top] + shift, values[top] + shift * (slope + shift * curvature)};
+}
+
+/// `at` where `values` first passes `level`, upwards or downwards from its first value, by a straight line.
+double first_passage(const std::vector<double>& at, const std::vector<double>& values, double level) {
+  const bool up = values.front() < level;
+  for (std::size_t row = 1; row < values.size(); ++row) {
+    if (up ? values[row] < level : values[row] > level) continue;
+    const double share = (level - values[row - 1]) / (values[row] - values[row - 1]);
+    return at[row - 1] + share * (at[row] - at[row - 1]);
+  }
+  return nothing;
+}
+
+std::vector<Metric> element_metrics(const Series& series) {
+  const auto column = [&](const char* name) -> const std::vector<double>& { return series.column(name).values; };
+  const auto& strain = column("shear_strain");
+  const Peak peak = peak_of(strain, column("shear_stress"), strain);
+  const auto& normal = column("normal_stress");
+  return {{"pre_peak_shear_stress", mean_between(series, "shear_stress", "shear_strain", pre_peak_from, pre_peak_to),
+           "Pa", "mean shear stress from 0.05 to 0.15 % strain"},
+          {"peak_shear_stress", peak.value, "Pa", "largest shear stress up to 2 % strain"},
+          {"strain_at_peak", peak.place, "1", "shear strain at that stress"},
+          {"strain_at_liquefaction", first_passage(strain, normal, liquefied * normal.front()), "1",
+           "shear strain where sigma falls below a tenth of what it was"}};
+}
+
+std::vector<Metric> trigger_metrics(const Series& series) {
+  const auto column = [&](const char* name) -> const std::vector<double>& { return series.column(name).values; };
+  const auto& strain = column("shear_strain");
+  return {{"instability_time", peak_of(series.axis.values, column("shear_stress"), strain).place, "s",
+           "time of the largest shear stress up to 2 % strain"},
+          {"velocity_at_half", first_passage(column("velocity"), strain, half), "m/s",
+           "sliding velocity at 50 % strain"}};
+}
+
+std::vector<Metric> pulse_metrics(const Series& series) {
+  double largest = nothing;
+  const double end = series.axis.values.back();
+  for (double from = 0.0; from + velocity_window <= end; from += 0.5 * velocity_window)
+    largest = std::fmax(largest, mean_between(series, "velocity", "time", from, from + velocity_window));
+  return {{"largest_velocity", largest, "m/s", "largest sliding velocity, as a mean over 0.1 s"},
+          {"runout", series.column("displacement").values.back(), "m", "sliding distance at the end"}};
+}
+
+}  // namespace
+
+std::string name_of(Scene scene) {
+  return scene == Scene::element ? "element" : scene == Scene::trigger ? "trigger" : "pulse";
+}
+
+Scene scene_named(const std::string& name) {
+  for (const Scene scene : {Scene::element, Scene::trigger, Scene::pulse})
+    if (name_of(scene) == name) return scene;
+  throw std::invalid_argument(fmt::format("there is no scene '{}'; there are: element, trigger, pulse", name));
+}
+
+Scene scene_of(const SlidePoint& point) {
+  if (point.test) return Scene::element;
+  return std::holds_alternative<SinePulse>(point.settings.loading) ? Scene::pulse : Scene::trigger;
+}
+
+std::vector<std::string> quantities_of(Scene scene) {
+  if (scene == Scene::element) return {"peak_shear_stress", "strain_at_peak", "strain_at_liquefaction"};
+  if (scene == Scene::trigger) return {"instability_time", "velocity_at_half"};
+  return {"largest_velocity", "runout"};
+}
+
+std::vector<Metric> scene_metrics(const SlideOutcome& outcome) {
+  const Scene scene = scene_of(outcome.point);
+  std::vector<Metric> metrics = scene == Scene::element   ? element_metrics(outcome.series)
+                                : scene == Scene::trigger ? trigger_metrics(outcome.series)
+                                                          : pulse_metrics(outcome.series);
+  metrics.push_back({"duration", outcome.series.axis.values.back(), "s", "end of the record"});
+  if (outcome.grains == nullptr) return metrics;
+  const auto grains = static_cast<double>(outcome.grains->size());
+  const auto steps = static_cast<double>(outcome.grains->steps());
+  const double seconds = outcome.grains->processor_seconds();
+  metrics.push_back({"grains", grains, "1", "number of grains"});
+  metrics.push_back({"steps", steps, "1", "DEM steps"});
+  metrics.push_back({"grain_steps", grains * steps, "1", "grains times DEM steps"});
+  metrics.push_back({"processor_seconds", seconds, "s", "processor time of straining the sample"});
+  metrics.push_back({"steps_per_second", steps / seconds, "1/s", "DEM steps per second of processor time"});
+  return metrics;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include "report.hpp"
+
+namespace flowslide {
+
+/// Speed against error: what each choice costs, and what it buys, on three scenes. Every setting is a slide or an
+/// element test of SlideCase; [axis.<name>] (scene, title, reference, settings, competes) says which are compared, and
+/// [liggghts] what LIGGGHTS takes at the paper's settings is taken from (grains, local_time_step, shear_rate of the
+/// element test, and for each scene the setting that times it).
+class SpeedCase : public SlideCase {
+ public:
+  SpeedCase();
+  void read(const Configuration& configuration) override;
+  /// Adds the report (see write_report), and prints the table on stderr.
+  void finish(const OutputFolder& output) const override;
+
+ protected:
+  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override { return scene_metrics(outcome); }
+  /// "<axis>.<setting>.error_over_spread", of all its quantities the largest; "<axis>.largest_error_over_spread";
+  /// "<axis>.<setting>.steps_share", its steps over those of the reference; "<axis>.order", see order_of_accuracy.
+  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
+  std::vector<std::string> abscissas() const override { return {}; }
+
+ private:
+  Report report_on(const Ensembles& runs) const;
+  const SlidePoint& planned(const std::string& setting) const;
+  std::string check_name(const Configuration& configuration, const std::string& key, const std::string& name,
+                         Scene scene) const;
+
+  std::vector<Axis> axes_;
+  double paper_grains_ = 0.0, paper_time_step_ = 0.0, paper_rate_ = 0.0;
+  std::map<Scene, std::string> clocks_;  ///< the settings that time LIGGGHTS
+};
+
+}  // namespace flowslide
