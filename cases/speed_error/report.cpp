@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "record/hdf5.hpp"
@@ -14,7 +13,6 @@
 namespace flowslide {
 namespace {
 
-constexpr std::array scenes{Scene::element, Scene::trigger, Scene::pulse};
 /// What a figure shows in place of an error that is smaller, over the spread: its axis is logarithmic.
 constexpr double least_shown = 1e-4;
 
@@ -98,7 +96,7 @@ std::string paper_text(const Report& report, Scene scene) {
 }
 
 void write_plot_tables(const std::filesystem::path& folder, const Report& report) {
-  for (const Scene scene : scenes) {
+  for (const Scene scene : all_scenes) {
     std::string all = "# label\taxis\tseconds\tgrain steps\terror over spread\tbelow noise\n";
     for (const SettingError& row : report.errors)
       if (row.axis->scene == scene && row.axis->competes && std::isfinite(row.error_over_spread))
@@ -162,11 +160,11 @@ std::string markdown(const Report& report) {
       "Error against the reference of the axis, in percent: mean of the differences over the seeds ± its standard error,\n"
       "in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one process in the\n"
       "sample alone. x LIGGGHTS: as fast as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
-  for (const Scene scene : scenes) text += table_of(report, scene);
+  for (const Scene scene : all_scenes) text += table_of(report, scene);
   text += "### The cheapest settings whose error is below the noise\n\n";
-  for (const Scene scene : scenes) text += recommendation(report, scene);
+  for (const Scene scene : all_scenes) text += recommendation(report, scene);
   text += "\nLIGGGHTS at the paper's settings, extrapolated from its time per grain and step in this table:\n\n";
-  for (const Scene scene : scenes) text += paper_text(report, scene);
+  for (const Scene scene : all_scenes) text += paper_text(report, scene);
   return text;
 }
 
@@ -174,7 +172,7 @@ void write_report(const std::filesystem::path& folder, const Report& report) {
   write_atomically(folder / "table.md", markdown(report));
   write_plot_tables(folder, report);
   auto file = hdf5::File::create((folder / "table.h5").string());
-  for (const Scene scene : scenes) write_scene(file.root(), report, scene);
+  for (const Scene scene : all_scenes) write_scene(file.root(), report, scene);
   write_sealed(folder / "table.h5", file.image(), IfExists::replace);
 }
 

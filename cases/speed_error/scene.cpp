@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "scene.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace flowslide {
 namespace {
@@ -82,12 +79,6 @@ std::vector<Metric> pulse_metrics(const Series& series) {
 
 std::string name_of(Scene scene) {
   return scene == Scene::element ? "element" : scene == Scene::trigger ? "trigger" : "pulse";
-}
-
-Scene scene_named(const std::string& name) {
-  for (const Scene scene : {Scene::element, Scene::trigger, Scene::pulse})
-    if (name_of(scene) == name) return scene;
-  throw std::invalid_argument(fmt::format("there is no scene '{}'; there are: element, trigger, pulse", name));
 }
 
 Scene scene_of(const SlidePoint& point) {

@@ -2,6 +2,7 @@
 // The three scenes that every choice is tried on, and the numbers by which a run of one is compared: windows and first
 // passages, never a point of a curve beyond the peak.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,10 @@
 namespace flowslide {
 
 enum class Scene { element, trigger, pulse };
+inline constexpr std::array all_scenes{Scene::element, Scene::trigger, Scene::pulse};
 
 /// "element", "trigger", "pulse".
 std::string name_of(Scene scene);
-/// Throws std::invalid_argument for another name.
-Scene scene_named(const std::string& name);
 /// An element test, a slide after a pulse, or a slide under any other loading: a trigger.
 Scene scene_of(const SlidePoint& point);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/error.hpp"
 #include "order_of_accuracy.hpp"
 
 namespace flowslide {
@@ -25,46 +24,52 @@ const SlidePoint& SpeedCase::planned(const std::string& setting) const {
   return *std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == setting; });
 }
 
-std::string SpeedCase::check_name(const Configuration& configuration, const std::string& key, const std::string& name,
-                                  Scene scene) const {
+const SlidePoint* SpeedCase::find(const Configuration& configuration, const std::string& key) const {
+  const std::string name = configuration.text(key, configuration.subtables("point"));
   const auto found = std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == name; });
-  // On a closed-form sample there are no element tests.
-  if (found == slides().end() && scene != Scene::element)
-    configuration.refuse(key, "no point is called '" + name + "'", "name one of the tables [point.<name>]");
-  if (found != slides().end() && scene_of(*found) != scene)
-    configuration.refuse(key, "'" + name + "' is not of the scene " + name_of(scene), "name one that is");
-  return name;
+  return found == slides().end() ? nullptr : &*found;
+}
+
+void SpeedCase::read_axis(const Configuration& configuration, const std::string& name) {
+  const std::string table = "axis." + name + ".";
+  Axis axis;
+  axis.name = name;
+  axis.title = configuration.text(table + "title");
+  if (configuration.has(table + "competes")) axis.competes = configuration.flag(table + "competes");
+  axis.settings = configuration.texts(table + "settings", configuration.subtables("point"));
+  const SlidePoint* reference = find(configuration, table + "reference");
+  if (reference == nullptr) return;  // an element test, which a closed-form sample does not have
+  axis.reference = reference->name;
+  axis.scene = scene_of(*reference);
+  for (const std::string& setting : axis.settings)
+    if (scene_of(planned(setting)) != axis.scene)
+      configuration.refuse(table + "settings", "'" + setting + "' is not of the scene of the reference, " +
+                           name_of(axis.scene), "compare settings of one scene");
+  axes_.push_back(axis);
 }
 
 void SpeedCase::read(const Configuration& configuration) {
   SlideCase::read(configuration);
-  for (const std::string& name : configuration.subtables("axis")) {
-    const std::string table = "axis." + name + ".";
-    Axis axis;
-    axis.name = name;
-    axis.title = configuration.text(table + "title");
-    axis.scene = scene_named(configuration.text(table + "scene", {"element", "trigger", "pulse"}));
-    axis.competes = configuration.flag(table + "competes");
-    axis.reference =
-        check_name(configuration, table + "reference", configuration.text(table + "reference"), axis.scene);
-    for (const std::string& setting : configuration.texts(table + "settings"))
-      axis.settings.push_back(check_name(configuration, table + "settings", setting, axis.scene));
-    axes_.push_back(axis);
-  }
+  for (const std::string& name : configuration.subtables("axis")) read_axis(configuration, name);
   paper_grains_ = static_cast<double>(configuration.integer("liggghts.grains", Range::between(1, 1e9)));
   paper_time_step_ = configuration.quantity("liggghts.local_time_step", dimension::time, Range::positive());
   paper_rate_ = configuration.quantity("liggghts.shear_rate", dimension::rate, Range::positive());
-  for (const Scene scene : {Scene::element, Scene::trigger, Scene::pulse}) {
+  for (const Scene scene : all_scenes) {
     const std::string key = "liggghts." + name_of(scene);
-    clocks_[scene] = check_name(configuration, key, configuration.text(key), scene);
+    const SlidePoint* clock = find(configuration, key);
+    if (clock == nullptr) continue;
+    if (scene_of(*clock) != scene)
+      configuration.refuse(key, "is not a setting of that scene", "name one of the tables [point.<name>] that is");
+    clocks_[scene] = clock->name;
   }
 }
 
 Report SpeedCase::report_on(const Ensembles& runs) const {
   Report report{errors_of(axes_, runs), {}, {}};
-  for (const Scene scene : {Scene::element, Scene::trigger, Scene::pulse}) {
+  for (const Scene scene : all_scenes) {
     report.candidates[scene] = candidates_of(report.errors, scene);
-    const auto clock = runs.find(clocks_.at(scene));
+    const auto name = clocks_.find(scene);
+    const auto clock = name == clocks_.end() ? runs.end() : runs.find(name->second);
     if (clock == runs.end() || values_of(clock->second, "processor_seconds").empty()) continue;
     const double duration = scene == Scene::element ? planned(clock->first).test->final_strain / paper_rate_
                                                     : mean_of(clock->second, "duration");

@@ -5,8 +5,8 @@
 namespace flowslide {
 
 /// Speed against error: what each choice costs, and what it buys, on three scenes. Every setting is a slide or an
-/// element test of SlideCase; [axis.<name>] (scene, title, reference, settings, competes) says which are compared, and
-/// [liggghts] what LIGGGHTS takes at the paper's settings is taken from (grains, local_time_step, shear_rate of the
+/// element test of SlideCase; [axis.<name>] (title, reference, settings; competes if there) says which are compared, and
+/// [liggghts] what LIGGGHTS takes at the paper's settings is computed from (grains, local_time_step, shear_rate of the
 /// element test, and for each scene the setting that times it).
 class SpeedCase : public SlideCase {
  public:
@@ -25,8 +25,9 @@ class SpeedCase : public SlideCase {
  private:
   Report report_on(const Ensembles& runs) const;
   const SlidePoint& planned(const std::string& setting) const;
-  std::string check_name(const Configuration& configuration, const std::string& key, const std::string& name,
-                         Scene scene) const;
+  /// The slide or test that `key` names; null if this run has none of that name.
+  const SlidePoint* find(const Configuration& configuration, const std::string& key) const;
+  void read_axis(const Configuration& configuration, const std::string& name);
 
   std::vector<Axis> axes_;
   double paper_grains_ = 0.0, paper_time_step_ = 0.0, paper_rate_ = 0.0;

@@ -39,17 +39,32 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
+/// The tables where the keys of a point stand: its own, and that of the point that it is like.
+std::vector<std::string> tables_of(const Configuration& configuration, const std::string& name) {
+  std::vector<std::string> tables{"point." + name};
+  const std::string key = tables.front() + ".like";
+  if (configuration.has(key)) tables.push_back("point." + configuration.text(key, configuration.subtables("point")));
+  return tables;
+}
+
+/// Tables `name` within `tables`, then `others`.
+TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others) {
+  for (std::string& table : tables) table += "." + name;
+  tables.insert(tables.end(), others.begin(), others.end());
+  return tables;
+}
+
 /// The engine of a point; `common` is that of the case.
-std::string engine_of(const Configuration& configuration, const std::string& key, const std::string& common) {
-  if (!configuration.has(key)) return common;
-  const std::string own = configuration.text(key, engine_names());
+std::string engine_of(const Tables& table, const std::string& common) {
+  if (!table.has("engine")) return common;
+  const std::string own = table.text("engine", engine_names());
   return seconds_per_grain_and_step(common) > 0.0 ? own : common;
 }
 
-void read_test(const Configuration& configuration, SlidePoint& read) {
-  const std::string table = "point." + read.name;
-  const TableNames coupling{table + ".coupling", "coupling"};
-  read.test = read_element_test(configuration, {table, "element_test"}, read.sample.recipe);
+void read_test(const Configuration& configuration, std::vector<std::string> tables, SlidePoint& read) {
+  const TableNames coupling = within(tables, "coupling", {"coupling"});
+  tables.emplace_back("element_test");
+  read.test = read_element_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
   check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
   const auto steps = static_cast<double>(read.test->steps(read.settings.passing.time_step));
@@ -70,35 +85,36 @@ std::string describe(const SlidePoint& point, const std::string& scheme) {
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine, const std::filesystem::path& folder) {
-  const std::string table = "point." + name + ".";
+  const std::vector<std::string> tables = tables_of(configuration, name);
+  const Tables table(configuration, tables);
   SlidePoint read;
   read.name = name;
   read.replicate = replicate;
-  read.sample = sample_named(configuration, table + "sample", samples);
+  read.sample = sample_named(configuration, table.key("sample"), samples);
   read.point.name = replicate_name(name, replicate);
-  read.point.figures = configuration.texts(table + "figures");
-  read.engine = engine_of(configuration, table + "engine", engine);
-  if (configuration.has(table + "final_strain")) {
-    read_test(configuration, read);
+  read.point.figures = configuration.texts(table.key("figures"));
+  read.engine = engine_of(table, engine);
+  if (table.has("final_strain")) {
+    read_test(configuration, tables, read);
     return read;
   }
   const SampleRecipe& recipe = read.sample.recipe;
-  const std::string scheme = configuration.text(table + "scheme", configuration.subtables("scheme"));
-  const TableNames coupling{table + "coupling", "scheme." + scheme, "coupling"};
+  const std::string scheme = table.text("scheme", configuration.subtables("scheme"));
+  const TableNames coupling = within(tables, "coupling", {"scheme." + scheme, "coupling"});
 
   SlopeProperties own_slope = slope;
-  if (configuration.has(table + "hydraulic_conductivity"))
+  if (table.has("hydraulic_conductivity"))
     own_slope.hydraulic_conductivity =
-        configuration.quantity(table + "hydraulic_conductivity", dimension::velocity, Range::not_negative());
+        table.quantity("hydraulic_conductivity", dimension::velocity, Range::not_negative());
   const GrainScale grains{lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
   read.settings = read_coupling(configuration, coupling, own_slope, grains);
-  read.settings.loading = read_loading(configuration, {table + "loading", "loading"}, folder);
+  read.settings.loading = read_loading(configuration, within(tables, "loading", {"loading"}), folder);
   check_local_time_step(configuration, coupling, recipe, read.engine);
   const Tables settings(configuration, coupling);
   read.linear_start = settings.has("linear_start") && settings.flag("linear_start");
-  read.stop = read_stop(configuration, {table + "stop", "stop"});
-  read.rows = read_row_spacing(configuration, {table + "rows", "rows"});
-  read.profiles = read_profile_plan(configuration, table + "profile_strains");
+  read.stop = read_stop(configuration, within(tables, "stop", {"stop"}));
+  read.rows = read_row_spacing(configuration, within(tables, "rows", {"rows"}));
+  read.profiles = read_profile_plan(configuration, table.key("profile_strains"));
 
   read.point.description = describe(read, scheme);
   read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);

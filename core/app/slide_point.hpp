@@ -32,6 +32,7 @@ struct SlidePoint {
 /// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
 /// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
 /// an element test: [element_test] has what the point leaves out (see read_element_test), coupling the time step.
+/// What the table leaves out is read from that of the point that it is `like`, if it is like one.
 /// A key `engine` of the point stands in front of `engine`, that of the case, unless this is a closed-form sample.
 /// `samples` are those of the replicate; the engine decides the predicted time. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,

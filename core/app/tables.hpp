@@ -14,6 +14,7 @@ class TableNames {
   TableNames(const char* name) : names_{name} {}
   TableNames(std::string name) : names_{std::move(name)} {}
   TableNames(std::initializer_list<std::string> names) : names_(names) {}
+  TableNames(std::vector<std::string> names) : names_(std::move(names)) {}
 
   const std::vector<std::string>& names() const { return names_; }
 

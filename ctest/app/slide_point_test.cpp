@@ -45,14 +45,34 @@ rows.row_interval = "1 s"
   EXPECT_EQ(point.profiles.strains, std::vector{0.1});
 }
 
+TEST(SlidePoint, TakesWhatItLeavesOutFromTheOneThatItIsLike) {
+  const SlidePoint point = read(slide_case_text() + R"([point.first]
+figures = "13"
+sample = "loose"
+scheme = "RD"
+coupling.time_step = "2e-4 s"
+loading.amplitude = "5 kPa"
+[point.second]
+like = "first"
+coupling.n_accum = 3
+)", "second");
+  EXPECT_EQ(point.point.name, "second");
+  EXPECT_EQ(point.point.figures, std::vector<std::string>{"13"});
+  EXPECT_EQ(point.settings.time_step, 2e-4);
+  EXPECT_EQ(std::get<CarryRemainder>(point.settings.passing.rule).least_steps, 3);
+  EXPECT_EQ(std::get<SinePulse>(point.settings.loading).amplitude, 5e3);
+  EXPECT_CONTAINS(message_of<ConfigurationError>([] { read(slide_case_text() + "[point.own]\nlike = \"RF\"\n", "own"); }),
+                  "point.own.like");
+}
+
 TEST(SlidePoint, MayHaveAnEngineOfItsOwn) {
-  const std::string text = slide_case_text() + "point.RD.engine = \"native-mixed\"\n";
-  EXPECT_EQ(read(text, "RD").engine, "native-mixed");
-  EXPECT_EQ(read(text, "RI").engine, "native");
-  EXPECT_EQ(read(text, "RD", 0, "elastic").engine, "elastic");
-  EXPECT_CONTAINS(message_of<ConfigurationError>([&] {
-                    read(slide_case_text() + "point.RD.engine = \"lammps\"\n", "RD");
-                  }), "point.RD.engine");
+  const auto with_engine = [](const std::string& engine) {
+    return slide_case_text() + "[point.own]\nlike = \"RD\"\nengine = \"" + engine + "\"\n";
+  };
+  EXPECT_EQ(read(with_engine("native-mixed"), "own").engine, "native-mixed");
+  EXPECT_EQ(read(with_engine("native-mixed"), "RD").engine, "native");
+  EXPECT_EQ(read(with_engine("native-mixed"), "own", 0, "elastic").engine, "elastic");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read(with_engine("lammps"), "own"); }), "point.own.engine");
 }
 
 TEST(SlidePoint, HasASampleOfItsOwnInEveryReplicate) {
