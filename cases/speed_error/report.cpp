@@ -31,7 +31,10 @@ std::string symbol_of(const std::string& quantity) {
   return symbols.at(quantity);
 }
 
-std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.2g}", 100.0 * share) : "-"; }
+std::string percent(double share) {
+  if (!std::isfinite(share)) return "-";
+  return share < 1.0 ? fmt::format("{:.2g}", 100.0 * share) : fmt::format("{:.0f}", 100.0 * share);
+}
 
 std::string error_text(const QuantityError& error) {
   return fmt::format("{} ± {} ({})", percent(error.error), percent(error.standard_error), percent(error.spread));
@@ -115,7 +118,7 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
   write_atomically(folder / "paper.dat", paper);
 }
 
-/// One group for each scene: its columns row by row, and the names of settings, axes and references, one a line.
+/// One group for each scene: /<scene>/table, its columns row by row; settings, axes and references, names one a line.
 void write_scene(hdf5::Group& root, const Report& report, Scene scene) {
   Series series;
   series.axis = {"row", "row", "1", "row of the table, by cost", "", {}};
@@ -140,8 +143,8 @@ void write_scene(hdf5::Group& root, const Report& report, Scene scene) {
     axes += row.axis->title + "\n";
     references += row.axis->reference + "\n";
   }
-  write_series(root, name_of(scene), series);
-  hdf5::Group group = root.group(name_of(scene));
+  hdf5::Group group = root.create_group(name_of(scene));
+  write_series(group, "table", series);
   group.write_text("settings", settings);
   group.write_text("axes", axes);
   group.write_text("references", references);

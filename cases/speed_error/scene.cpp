@@ -12,6 +12,7 @@ constexpr double peak_before = 0.02;       ///< strain within which a loose samp
 constexpr double liquefied = 0.1;          ///< share of the first sigma
 constexpr double half = 0.5;               ///< strain
 constexpr double velocity_window = 0.1;    ///< s
+constexpr double rounding = 1e-9;          ///< of a number of windows
 constexpr double pre_peak_from = 5e-4, pre_peak_to = 1.5e-3;  ///< strain
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -69,8 +70,11 @@ std::vector<Metric> trigger_metrics(const Series& series) {
 std::vector<Metric> pulse_metrics(const Series& series) {
   double largest = nothing;
   const double end = series.axis.values.back();
-  for (double from = 0.0; from + velocity_window <= end; from += 0.5 * velocity_window)
+  const int windows = static_cast<int>(std::floor(2.0 * end / velocity_window + rounding)) - 1;  // half overlap
+  for (int window = 0; window < windows; ++window) {
+    const double from = 0.5 * velocity_window * window;
     largest = std::fmax(largest, mean_between(series, "velocity", "time", from, from + velocity_window));
+  }
   return {{"largest_velocity", largest, "m/s", "largest sliding velocity, as a mean over 0.1 s"},
           {"runout", series.column("displacement").values.back(), "m", "sliding distance at the end"}};
 }
