@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Speed against error: for (A) the element test, (B) the trigger and (C) the pulse, the time that a setting takes on one
+# core against the largest of its errors over the spread over seeds. Grey: below that spread. Line: the settings that no
+# other beats in both. Arrow: what LIGGGHTS takes at the paper's settings.
+tables = "element.dat element_front.dat trigger.dat trigger_front.dat pulse.dat pulse_front.dat paper.dat"
+command = "./reproduce speed_error"
+script = ARG0; folder = ARG1; picture = ARG2
+here = script[1:strlen(script) - strlen("speed_error.gp")]
+load here."style.gp"
+
+array scene[3] = ["element", "trigger", "pulse"]
+array title[3] = ["element test", "trigger", "pulse"]
+axes = "'dt_L' 'strain rate' 'engine, precision' 'E' 'rolling' 'all' 'dt_G' 'n_accum' 'eq. 18, 17' 'stress every n-th' 'hybrid'"
+array shown[11] = ["dt_L", "rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", "stress", "hybrid"]
+array colour[11] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion]
+array symbol[11] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13]
+unquoted(text) = text[2:strlen(text) - 1]
+axis(i) = unquoted(word(axes, i))
+rows(s, i) = sprintf("< awk -F'\\t' -v axis='\"%s\"' '$2 == axis' %s", axis(i), shell_quoted(data(scene[s].".dat")))
+has(s, i) = int(system(sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis {n = 1} END {print n + 0}' %s", axis(i), \
+                               shell_quoted(data(scene[s].".dat")))))
+paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], shell_quoted(data("paper.dat")))))
+least_error = 1e-4; largest_error = 100.0
+
+set datafile separator "\t"
+set logscale xy
+set format x "10^{%T}"
+set format y "10^{%T}"
+do for [format in "png pdf"] {
+  eval terminal(format, 16, 7)
+  set output picture.".".format
+  set multiplot layout 1, 3
+  set xlabel "time on one core (s)"
+  do for [s = 1:3] {
+    set title panel(word("A B C", s), title[s])
+    set ylabel (s == 1 ? "largest error over spread over seeds" : "") offset 1
+    set xrange [(s == 3 ? 1 : 0.03):(paper(s) > 0 ? 3 * paper(s) : 1e4)]
+    set yrange [least_error:largest_error]
+    set key bottom right
+    set object 1 rectangle from graph 0, first least_error to graph 1, first 1 \
+      fillcolor rgb grey fillstyle solid 0.2 noborder behind
+    if (paper(s) > 0) {
+      set arrow 1 from first paper(s), graph 0 to first paper(s), graph 1 nohead dashtype 2 linecolor rgb black
+      set label 1 "LIGGGHTS, paper's settings" at first paper(s), graph 0.98 right rotate by 90 offset -0.8, 0 \
+        font ",7"
+    }
+    plot for [i = 1:11] (has(s, i) ? rows(s, i) : "/dev/null") using 3:5 with points pointtype symbol[i] pointsize 0.9 \
+           linecolor rgb colour[i] title (has(s, i) ? shown[i] : ""), \
+         data(scene[s]."_front.dat") using 2:3 with lines linewidth 0.8 linecolor rgb black notitle
+    unset object 1; unset arrow 1; unset label 1
+  }
+  unset multiplot
+  set output
+}
