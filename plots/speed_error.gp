@@ -10,16 +10,18 @@ load here."style.gp"
 
 array scene[3] = ["element", "trigger", "pulse"]
 array title[3] = ["element test", "trigger", "pulse"]
-axes = "'dt_L' 'strain rate' 'engine, precision' 'E' 'rolling' 'all' 'dt_G' 'n_accum' 'eq. 18, 17' 'stress every n-th' 'hybrid'"
-array shown[11] = ["dt_L", "rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", "stress", "hybrid"]
+array axis[11] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", "eq. 18, 17", \
+                  "stress every n-th", "hybrid"]
+array shown[11] = ["dt_L", "strain rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", \
+                   "stress", "hybrid"]
 array colour[11] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion]
 array symbol[11] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13]
-unquoted(text) = text[2:strlen(text) - 1]
-axis(i) = unquoted(word(axes, i))
-rows(s, i) = sprintf("< awk -F'\\t' -v axis='\"%s\"' '$2 == axis' %s", axis(i), shell_quoted(data(scene[s].".dat")))
-has(s, i) = int(system(sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis {n = 1} END {print n + 0}' %s", axis(i), \
-                               shell_quoted(data(scene[s].".dat")))))
-paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], shell_quoted(data("paper.dat")))))
+of_axis(s, i, action) = sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis %s' %s", axis[i], action, \
+                                shell_quoted(data(scene[s].".dat")))
+rows(s, i) = "< ".of_axis(s, i, "")
+has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
+paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], \
+                               shell_quoted(data("paper.dat")))))
 least_error = 1e-4; largest_error = 100.0
 
 set datafile separator "\t"

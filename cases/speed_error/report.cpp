@@ -58,7 +58,8 @@ std::string speed_up(const PaperCost* paper, double seconds, double grains) {
 
 std::string table_of(const Report& report, Scene scene) {
   const PaperCost* paper = paper_of(report, scene);
-  std::string text = fmt::format("### {}\n\n| setting | axis | reference | N | steps | core s | steps/s ", title_of(scene));
+  std::string text =
+      fmt::format("### {}\n\n| setting | axis | reference | N | steps | core s | steps/s ", title_of(scene));
   std::string rule = "|---|---|---|---|---|---|---";
   for (const std::string& quantity : quantities_of(scene)) {
     text += fmt::format("| {}, % ", symbol_of(quantity));
@@ -81,8 +82,9 @@ std::string table_of(const Report& report, Scene scene) {
 std::string recommendation(const Report& report, Scene scene) {
   const Candidate* best = recommended(report.candidates.at(scene));
   if (best == nullptr) return fmt::format("- {}: no setting has an error below the noise.\n", name_of(scene));
-  std::string text = fmt::format("- {}: `{}`, {} grains, {:.2g} s, error {:.2g} of the spread over seeds", name_of(scene),
-                                 best->setting, best->grains, best->seconds, best->error_over_spread);
+  std::string text =
+      fmt::format("- {}: `{}`, {} grains, {:.2g} s, error {:.2g} of the spread over seeds", name_of(scene),
+                  best->setting, best->grains, best->seconds, best->error_over_spread);
   if (const PaperCost* paper = paper_of(report, scene)) {
     const double times = paper->seconds() / best->seconds;
     text += fmt::format("; {} times as fast as LIGGGHTS at the paper's settings, {} times with as many grains",
@@ -103,8 +105,9 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
     std::string all = "# label\taxis\tseconds\tgrain steps\terror over spread\tbelow noise\n";
     for (const SettingError& row : report.errors)
       if (row.axis->scene == scene && row.axis->competes && std::isfinite(row.error_over_spread))
-        all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title, row.seconds,
-                           row.grain_steps, std::max(row.error_over_spread, least_shown), row.below_noise() ? 1 : 0);
+        all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title,
+                           row.seconds, row.grain_steps, std::max(row.error_over_spread, least_shown),
+                           row.below_noise() ? 1 : 0);
     write_atomically(folder / (name_of(scene) + ".dat"), all);
     std::string front = "# label\tseconds\terror over spread\n";
     for (const Candidate& candidate : report.candidates.at(scene))
@@ -160,9 +163,9 @@ std::string label_of(const std::string& setting, Scene scene) {
 
 std::string markdown(const Report& report) {
   std::string text =
-      "Error against the reference of the axis, in percent: mean of the differences over the seeds ± its standard error,\n"
-      "in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one process in the\n"
-      "sample alone. x LIGGGHTS: as fast as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
+      "Error against the reference of the axis, in percent: mean of the differences over the seeds ± its standard\n"
+      "error, in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one process\n"
+      "in the sample alone. x LIGGGHTS: as fast as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
   for (const Scene scene : all_scenes) text += table_of(report, scene);
   text += "### The cheapest settings whose error is below the noise\n\n";
   for (const Scene scene : all_scenes) text += recommendation(report, scene);

@@ -20,7 +20,7 @@ struct Peak {
   double place, value;
 };
 
-/// The largest of `values` where `strain` is below peak_before, by the parabola through it and its neighbours `at` axis.
+/// The largest of `values` where `strain` is below peak_before, by a parabola through it and its neighbours over `at`.
 Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, const std::vector<double>& strain) {
   std::size_t top = 0;
   for (std::size_t row = 0; row < values.size() && strain[row] <= peak_before; ++row)

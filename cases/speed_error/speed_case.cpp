@@ -26,8 +26,9 @@ const SlidePoint& SpeedCase::planned(const std::string& setting) const {
 
 const SlidePoint* SpeedCase::find(const Configuration& configuration, const std::string& key) const {
   const std::string name = configuration.text(key, configuration.subtables("point"));
-  const auto found = std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == name; });
-  return found == slides().end() ? nullptr : &*found;
+  for (const SlidePoint& slide : slides())
+    if (slide.name == name) return &slide;
+  return nullptr;
 }
 
 void SpeedCase::read_axis(const Configuration& configuration, const std::string& name) {

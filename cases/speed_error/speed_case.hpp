@@ -5,9 +5,9 @@
 namespace flowslide {
 
 /// Speed against error: what each choice costs, and what it buys, on three scenes. Every setting is a slide or an
-/// element test of SlideCase; [axis.<name>] (title, reference, settings; competes if there) says which are compared, and
-/// [liggghts] what LIGGGHTS takes at the paper's settings is computed from (grains, local_time_step, shear_rate of the
-/// element test, and for each scene the setting that times it).
+/// element test of SlideCase. [axis.<name>] (title, reference, settings; competes if there) says which are compared;
+/// from [liggghts] (grains, local_time_step, shear_rate of the element test, and for each scene the setting that times
+/// it) follows what LIGGGHTS takes at the paper's settings.
 class SpeedCase : public SlideCase {
  public:
   SpeedCase();
