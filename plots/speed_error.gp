@@ -38,16 +38,18 @@ do for [format in "png pdf"] {
     set ylabel (s == 1 ? "largest error over spread over seeds" : "") offset 1
     set xrange [(s == 3 ? 1 : 0.03):(paper(s) > 0 ? 3 * paper(s) : 1e4)]
     set yrange [least_error:largest_error]
-    set key bottom right
+    set key bottom right Left reverse
     set object 1 rectangle from graph 0, first least_error to graph 1, first 1 \
       fillcolor rgb grey fillstyle solid 0.2 noborder behind
     if (paper(s) > 0) {
       set arrow 1 from first paper(s), graph 0 to first paper(s), graph 1 nohead dashtype 2 linecolor rgb black
-      set label 1 "LIGGGHTS, paper's settings" at first paper(s), graph 0.98 right rotate by 90 offset -0.8, 0 \
+      set label 1 "LIGGGHTS, paper's settings" at first paper(s), graph 0.98 right rotate by 90 offset -1.3, 0 \
         font ",7"
     }
-    plot for [i = 1:11] (has(s, i) ? rows(s, i) : "/dev/null") using 3:5 with points pointtype symbol[i] pointsize 0.9 \
-           linecolor rgb colour[i] title (has(s, i) ? shown[i] : ""), \
+    present = ""
+    do for [i = 1:11] { if (has(s, i)) { present = present." ".i } }
+    plot for [k in present] rows(s, k + 0) using 3:5 with points pointtype symbol[k + 0] pointsize 0.9 \
+           linecolor rgb colour[k + 0] title shown[k + 0], \
          data(scene[s]."_front.dat") using 2:3 with lines linewidth 0.8 linecolor rgb black notitle
     unset object 1; unset arrow 1; unset label 1
   }
