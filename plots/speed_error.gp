@@ -48,6 +48,7 @@ do for [format in "png pdf"] {
     }
     present = ""
     do for [i = 1:11] { if (has(s, i)) { present = present." ".i } }
+    if (present eq "") { continue }   # nothing of that scene has been run
     plot for [k in present] rows(s, k + 0) using 3:5 with points pointtype symbol[k + 0] pointsize 0.9 \
            linecolor rgb colour[k + 0] title shown[k + 0], \
          data(scene[s]."_front.dat") using 2:3 with lines linewidth 0.8 linecolor rgb black notitle
