@@ -13,7 +13,6 @@ constexpr double liquefied = 0.1;          ///< share of the first sigma
 constexpr double half = 0.5;               ///< strain
 constexpr double velocity_window = 0.1;    ///< s
 constexpr double rounding = 1e-9;          ///< of a number of windows
-constexpr double pre_peak_from = 5e-4, pre_peak_to = 1.5e-3;  ///< strain
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Peak {
@@ -50,9 +49,7 @@ std::vector<Metric> element_metrics(const Series& series) {
   const auto& strain = column("shear_strain");
   const Peak peak = peak_of(strain, column("shear_stress"), strain);
   const auto& normal = column("normal_stress");
-  return {{"pre_peak_shear_stress", mean_between(series, "shear_stress", "shear_strain", pre_peak_from, pre_peak_to),
-           "Pa", "mean shear stress from 0.05 to 0.15 % strain"},
-          {"peak_shear_stress", peak.value, "Pa", "largest shear stress up to 2 % strain"},
+  return {{"peak_shear_stress", peak.value, "Pa", "largest shear stress up to 2 % strain"},
           {"strain_at_peak", peak.place, "1", "shear strain at that stress"},
           {"strain_at_liquefaction", first_passage(strain, normal, liquefied * normal.front()), "1",
            "shear strain where sigma falls below a tenth of what it was"}};

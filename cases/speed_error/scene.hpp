@@ -22,8 +22,7 @@ Scene scene_of(const SlidePoint& point);
 std::vector<std::string> quantities_of(Scene scene);
 
 /// The numbers of one run. Those that the record does not have are not numbers.
-///   element  pre_peak_shear_stress   Pa, mean of tau from 0.05 to 0.15 % strain
-///            peak_shear_stress       Pa, largest tau up to 2 % strain, by a parabola through three rows
+///   element  peak_shear_stress       Pa, largest tau up to 2 % strain, by a parabola through three rows
 ///            strain_at_peak          1, the strain there
 ///            strain_at_liquefaction  1, where sigma first falls below a tenth of what it was
 ///   trigger  instability_time        s, when tau is largest up to 2 % strain: from then on tau falls while tau_d grows

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <iostream>
 
-#include "order_of_accuracy.hpp"
-
 namespace flowslide {
 namespace {
 
@@ -84,20 +82,15 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
   for (const SettingError& row : errors_of(axes_, runs)) {
     const std::string& axis = row.axis->name;
     metrics[axis + "." + row.setting + ".error_over_spread"] = row.error_over_spread;
+    for (const QuantityError& error : row.errors) {
+      metrics[axis + "." + row.setting + "." + error.quantity + ".error"] = error.error;
+      metrics[axis + "." + row.setting + "." + error.quantity + ".error_over_spread"] = error.ratio();
+    }
     double& largest = metrics[axis + ".largest_error_over_spread"];
     largest = std::max(largest, row.error_over_spread);
     const Ensemble& reference = runs.at(row.axis->reference);
     if (!values_of(reference, "steps").empty())
       metrics[axis + "." + row.setting + ".steps_share"] = row.steps / mean_of(reference, "steps");
-  }
-  for (const Axis& axis : axes_) {
-    std::vector<TimeStepError> errors;
-    if (axis.scene != Scene::element || !runs.contains(axis.reference)) continue;
-    for (const std::string& setting : axis.settings)
-      if (runs.contains(setting))
-        errors.push_back({planned(setting).settings.passing.time_step,
-                          error_of(runs.at(setting), runs.at(axis.reference), "pre_peak_shear_stress").error});
-    metrics[axis.name + ".order"] = order_of_accuracy(errors, planned(axis.reference).settings.passing.time_step);
   }
 }
 

@@ -17,8 +17,9 @@ class SpeedCase : public SlideCase {
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override { return scene_metrics(outcome); }
-  /// "<axis>.<setting>.error_over_spread", of all its quantities the largest; "<axis>.largest_error_over_spread";
-  /// "<axis>.<setting>.steps_share", its steps over those of the reference; "<axis>.order", see order_of_accuracy.
+  /// "<axis>.<setting>.<quantity>.error" (relative) and ".error_over_spread"; "<axis>.<setting>.error_over_spread", the
+  /// largest of its quantities; "<axis>.largest_error_over_spread"; "<axis>.<setting>.steps_share", its steps over those
+  /// of the reference.
   void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
   std::vector<std::string> abscissas() const override { return {}; }
 
