@@ -29,7 +29,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 do for [format in "png pdf"] {
-  eval terminal(format, 16, 7)
+  eval terminal(format, 18, 10)
   set output picture.".".format
   set multiplot layout 1, 3
   set xlabel "time on one core (s)"
@@ -38,7 +38,7 @@ do for [format in "png pdf"] {
     set ylabel (s == 1 ? "largest error over spread over seeds" : "") offset 1
     set xrange [(s == 3 ? 1 : 0.03):(paper(s) > 0 ? 3 * paper(s) : 1e4)]
     set yrange [least_error:largest_error]
-    set key bottom right Left reverse
+    set key below center Left reverse maxcols 2
     set object 1 rectangle from graph 0, first least_error to graph 1, first 1 \
       fillcolor rgb grey fillstyle solid 0.2 noborder behind
     if (paper(s) > 0) {
