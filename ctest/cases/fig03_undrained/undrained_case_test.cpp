@@ -68,8 +68,8 @@ TEST_F(UndrainedProgram, ListsItsPointsAndWritesNothing) {
   EXPECT_EQ(std::count(list.output.begin(), list.output.end(), '\n'), 1 + 3 * 6);  // three replicates at quick scale
   const Outcome json = run({"--list", "--json", "--scale", "paper", "--point", "e0_790"});
   EXPECT_CONTAINS(json.output, "{\"name\": \"e0_790\", \"figures\": [\"2\", \"3\"], \"predicted_seconds\": ");
-  // 0.5 / (0.06 x 5e-7) steps of 20 x 20 x 22 grains at Table 1 and the paper's rate.
-  EXPECT_CONTAINS(json.output, "to 50 % in 1.67e+07 steps of 8800 grains");
+  // 0.5 / (0.06 x 1e-5) steps of 20 x 20 x 22 grains at the rate of the paper.
+  EXPECT_CONTAINS(json.output, "to 50 % in 8.33e+05 steps of 8800 grains");
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
 }
 
