@@ -42,6 +42,9 @@ struct Verdict {
   double measured = std::numeric_limits<double>::quiet_NaN();  ///< in the unit of the claim; NaN when missing
   bool met = false;
   std::string reason;  ///< one clause: the comparison, or why there is none
+
+  /// "0.0871 Pa"; "-" when nothing was measured.
+  std::string measurement() const;
 };
 
 /// Reads claims.toml. Throws ConfigurationError with place for whatever is wrong in it, unknown keys too.

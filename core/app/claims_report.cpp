@@ -11,12 +11,6 @@
 namespace flowslide {
 namespace {
 
-std::string measured_text(const Verdict& verdict) {
-  if (!std::isfinite(verdict.measured)) return "-";
-  const std::string suffix = verdict.claim.unit == "1" ? "" : " " + verdict.claim.unit;
-  return fmt::format("{:.4g}{}", verdict.measured, suffix);
-}
-
 std::string json_text(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -54,12 +48,17 @@ std::string data_text(std::string text) {
 
 }  // namespace
 
+std::string Verdict::measurement() const {
+  if (!std::isfinite(measured)) return "-";
+  return fmt::format("{:.4g}{}", measured, claim.unit == "1" ? "" : " " + claim.unit);
+}
+
 std::string terminal_table(const std::vector<Verdict>& verdicts) {
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"", "figure", "claim", "expected", "measured"}};
   for (const Verdict& verdict : verdicts) {
     rows.push_back({verdict.met ? "met" : "NOT MET", verdict.claim.figure, verdict.claim.id,
-                    verdict.claim.expectation(), measured_text(verdict)});
+                    verdict.claim.expectation(), verdict.measurement()});
   }
   std::array<std::size_t, 5> widths{};
   for (const Row& row : rows)
@@ -87,7 +86,7 @@ std::string markdown_table(const std::vector<Verdict>& verdicts) {
     text += fmt::format(
         "| {} | {} | {} | {} | {} | {} |\n", markdown_cell(verdict.claim.figure), markdown_cell(verdict.claim.sentence),
         markdown_cell(fmt::format("`{}` {}", verdict.claim.metric, verdict.claim.expectation())),
-        markdown_cell(measured_text(verdict)), markdown_cell(word), markdown_cell(verdict.claim.origin));
+        markdown_cell(verdict.measurement()), markdown_cell(word), markdown_cell(verdict.claim.origin));
   }
   return text;
 }

@@ -11,8 +11,8 @@ while IFS= read -r file; do
     { echo "$file: no line 'SPDX-License-Identifier: GPL-2.0-or-later' in its first three"; wrong=$((wrong + 1)); }
   lines=$(wc -l <"$file")
   ((lines <= 400)) || { echo "$file: $lines lines; split it, 400 are allowed"; wrong=$((wrong + 1)); }
-done < <({ find core cases ctest cmake plots scripts -type f \( -name '*.?pp' -o -name '*.h' -o -name '*.cmake' -o -name '*.sh' \
-             -o -name '*.gp' -o -name '*.toml' -o -name 'CMakeLists.txt' -o -path 'scripts/*' \)
+done < <({ find core cases report ctest cmake plots scripts -type f \( -name '*.?pp' -o -name '*.h' -o -name '*.cmake' -o -name '*.sh' \
+             -o -name '*.gp' -o -name '*.css' -o -name '*.toml' -o -name 'CMakeLists.txt' -o -path 'scripts/*' \)
            printf '%s\n' CMakeLists.txt check reproduce .ci/run packages.txt; } | LC_ALL=C sort -u)
 
 echo "$files files read, $wrong complaints"

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# browser_test.sh REPORT CASE: opens the report in Chromium without network: every figure is there and drawn, nothing
+# else is loaded, and the console stays empty. The same look at a spoilt page must find what was spoilt.
+set -euo pipefail
+report=$1 program=$2
+project=$(cd "$(dirname "$0")/../.." && pwd)
+command -v chromium >/dev/null || { echo 'skipped: chromium is not installed (packages-full.txt)'; exit 77; }
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+export HOME=$room
+
+# Results: a run of the elastic closed form, and the pictures of the gallery.
+results=$room/results
+folder=$results/fig08_trigger/quick
+code=0
+"$program" --engine elastic --point RD_ramp --output "$folder" 2>"$room/run.log" || { cat "$room/run.log"; exit 1; }
+"$program" --engine elastic --point RD_ramp --output "$folder" --check >/dev/null || code=$?
+((code == 4)) || { echo "--check of the elastic sample ended with $code, expected 4: no grains, no liquefaction"; exit 1; }
+figures=0
+while read -r name the_case _; do
+  [[ $name != '#'* && -e $project/plots/gallery/$name.png ]] || continue
+  mkdir -p "$results/$the_case/quick"
+  cp "$project/plots/gallery/$name.png" "$results/$the_case/quick/"
+  [[ $the_case != fig08_trigger ]] || figures=$((figures + 1))   # the others were not run, and are not shown
+done <"$project/plots/figures.txt"
+"$report" --project "$project" --results "$results" --output "$room/page.html"
+
+# seen PAGE: `pictures drawn, figures, verdicts, other files loaded`, as the browser counts them; its console in console.
+seen() {
+  local options=(--headless=new --disable-gpu --disable-dev-shm-usage --no-first-run --enable-logging=stderr --log-level=0
+                 --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$room/profile" --virtual-time-budget=5000)
+  ((EUID != 0)) || options+=(--no-sandbox)
+  { cat "$1"; echo '<script>addEventListener("load", () => {
+      const drawn = [...document.images].filter(i => i.complete && i.naturalWidth > 0).length;
+      const loaded = [...document.querySelectorAll("[src], link[href]")].filter(e => !(e.src || e.href).startsWith("data:")).length;
+      const of = selector => document.querySelectorAll(selector).length;
+      document.title = ["SEEN", drawn, of("figure"), of(".claims .mark"), loaded].join(" "); });</script>'; } >"$room/watched.html"
+  timeout 60 chromium "${options[@]}" --dump-dom "file://$room/watched.html" >"$room/dom" 2>"$room/log" ||
+    { tail "$room/log"; echo "chromium ended with an error"; exit 1; }
+  grep 'CONSOLE' "$room/log" >"$room/console" || true
+  sed -n 's/.*<title>SEEN \([^<]*\)<.*/\1/p' "$room/dom"
+}
+
+failures=0
+expect() { [[ $2 == "$3" ]] || { echo "$1: '$2', expected '$3'"; failures=$((failures + 1)); }; }
+claims=$(grep -c '"id"' "$folder/claims.json")
+expect 'the page' "$(seen "$room/page.html")" "$figures $figures $claims 0"
+expect 'its console' "$(cat "$room/console")" ''
+sed -e '0,/data:image\/png;base64,/s//data:image\/png;base64,AAAA/' -e 's|<main>|&<script>console.error("spoilt")</script>|' \
+  -e 's|</main>|<img src="missing.png">&|' "$room/page.html" >"$room/spoilt.html"
+expect 'a spoilt page' "$(seen "$room/spoilt.html")" "$((figures - 1)) $figures $claims 1"
+grep -q 'spoilt' "$room/console" || { echo 'an error in the console went unseen'; failures=$((failures + 1)); }
+echo "$figures figures, $claims verdicts, $failures failures"
+((failures == 0 && figures > 0))
