@@ -2,10 +2,14 @@
 # What every target of the project shares: warnings, sanitizers, and one function per kind of target.
 
 add_library(flowslide_options INTERFACE)
-# No contraction into fused multiply-adds: results shall not depend on what the compiler found to fuse.
-target_compile_options(flowslide_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                       -ffp-contract=off)
-target_include_directories(flowslide_options INTERFACE ${PROJECT_SOURCE_DIR}/core)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+target_compile_options(flowslide_options INTERFACE "$<BUILD_INTERFACE:${warnings}>")
+# No contraction into fused multiply-adds: results shall not depend on what the compiler found to fuse. That holds for
+# what the headers make in a project that uses the library, too.
+target_compile_options(flowslide_options INTERFACE -ffp-contract=off)
+target_compile_features(flowslide_options INTERFACE cxx_std_20)
+target_include_directories(flowslide_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/core>
+                                                       $<INSTALL_INTERFACE:include/flowslide>)
 if(FLOWSLIDE_WERROR)
   target_compile_options(flowslide_options INTERFACE -Werror)
 endif()
