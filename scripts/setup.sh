@@ -17,8 +17,9 @@ die() { say "$1"; exit "${2:-2}"; }
 # Prepared samples belong to the project, wherever it is called from.
 export FLOWSLIDE_CACHE=${FLOWSLIDE_CACHE:-$root/cache}
 
-# The packages of packages.txt, one a line.
-packages() { sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/packages.txt"; }
+# The packages of these lists, one a line.
+package_lists=("$root/packages.txt")
+packages() { cat "${package_lists[@]}" | sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d'; }
 
 missing_packages() {
   local package

@@ -62,7 +62,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   curve.point = {replicate_name(name, replicate), configuration.texts(table + "figures"),
                  fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,
                              curve.test.shear_rate, 100.0 * curve.test.final_strain, steps, grains),
-                 steps * grains * seconds_per_grain_and_step(engine_)};
+                 steps * grains * seconds_per_grain_and_step(engine_), sample_of(curve).label()};
   curves_.push_back(curve);
 }
 
@@ -85,14 +85,18 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
                      planned.test.row_steps(time_step_).size());
 }
 
-FoundSample UndrainedCase::prepare(const Curve& curve, const PointRun& run) const {
-  const auto engine = make_engine(preparation_engine_, run.output.file(curve.point.name + ".preparation.log"));
-  return find_sample(*engine, sample_of(curve), sample_cache_folder(), run.progress);
+FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem::path& log,
+                                      const ProgressStyle& progress) const {
+  return find_sample(*make_engine(preparation_engine_, log), sample_of(curve), sample_cache_folder(), progress);
+}
+
+void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress) const {
+  sample_for(curve(point.name), "/dev/null", progress);
 }
 
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const Curve& running = curve(point.name);
-  const FoundSample found = prepare(running, run);
+  const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress);
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
 
   DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, time_step_, 0.0});

@@ -26,6 +26,7 @@ class UndrainedCase : public Case {
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
+  void prepare(const Point& point, const ProgressStyle& progress) const override;
   void run(const Point& point, const PointRun& run) const override;
   std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                         const std::vector<std::string>& points) const override;
@@ -34,8 +35,8 @@ class UndrainedCase : public Case {
  private:
   void read_curve(const Configuration& configuration, const std::string& name, int replicate);
   const Curve& curve(const std::string& name) const;
-  /// The sample of a curve, from the cache or by the engine of the preparation.
-  FoundSample prepare(const Curve& curve, const PointRun& run) const;
+  /// The sample of a curve, from the cache or by the engine of the preparation, which writes of itself to `log`.
+  FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

@@ -38,6 +38,7 @@ class CaseProgram {
     if (options_.list) return list();
     if (options_.dry_run) return plan();
     if (options_.check) return check();
+    if (options_.prepare) return prepare();
     for (const Point& point : points_)
       if (chosen_.contains(point.name)) run_point(point);
     // A single point is one of several programs side by side: who started them asks for the claims.
@@ -67,9 +68,10 @@ class CaseProgram {
       std::string figures;
       for (const std::string& figure : point.figures) figures += (figures.empty() ? "" : ", ") + quoted(figure);
       text += fmt::format(
-          "{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, "
+          "{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, \"sample\": {}, "
           "\"description\": {}}}",
-          first ? "" : ",", quoted(point.name), figures, point.predicted_seconds, quoted(point.description));
+          first ? "" : ",", quoted(point.name), figures, point.predicted_seconds, quoted(point.sample),
+          quoted(point.description));
       first = false;
     }
     std::cout << text << (options_.json ? "\n]}\n" : "");
@@ -86,6 +88,14 @@ class CaseProgram {
                          duration_text(point.predicted_seconds));
       case_.print_plan(point, out);
     }
+    return to_int(ExitCode::ok);
+  }
+
+  int prepare() const {
+    std::set<std::string> prepared{""};
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
+        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()));
     return to_int(ExitCode::ok);
   }
 

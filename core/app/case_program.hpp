@@ -21,6 +21,7 @@ struct Point {
   std::vector<std::string> figures;   ///< of the paper that draw it, "3"
   std::string description;
   double predicted_seconds = 0.0;     ///< on one core, with its samples in the cache
+  std::string sample = {};            ///< the prepared sample that it needs, in letters, digits and "_"; empty: none
 };
 
 /// What a point needs to be run.
@@ -43,6 +44,8 @@ class Case {
   /// What a point would do: engine commands, steps, time. For --dry-run. Collective over the MPI
   /// ranks, as engines are made by all of them; `out` shows what the first writes.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
+  /// Prepares the sample of a point for the cache, or finds it there. Collective over the MPI ranks.
+  virtual void prepare(const Point&, const ProgressStyle&) const {}
   /// Runs a point and writes its files. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;
   /// The numbers that claims are about, from the files of these points. A number that does not exist is left out.

@@ -115,7 +115,12 @@ void add_other_options(CLI::App& app, CommandLine& command_line) {
                "write nothing")
       ->group(group);
   app.add_flag("--list", command_line.list, "Print the points with their predicted time")->group(group);
-  app.add_flag("--check", command_line.check, "Evaluate the claims on the results in --output")->group(group);
+  app.add_flag("--check", command_line.check,
+               "Collect the points in --output that are complete: write the figures' tables, evaluate the claims")
+      ->group(group);
+  app.add_flag("--prepare", command_line.prepare,
+               "Prepare the samples that the points need, for the cache; a point alone would do it, too")
+      ->group(group);
   app.add_flag("--json", command_line.json, "Machine-readable output of --list or --check")->group(group);
 }
 
@@ -167,9 +172,9 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;
-  if (command_line.dry_run + command_line.list + command_line.check > 1) {
+  if (command_line.dry_run + command_line.list + command_line.check + command_line.prepare > 1) {
     throw ConfigurationError(
-        fmt::format("--dry-run, --list and --check exclude each other: give one of them; see {} "
+        fmt::format("--dry-run, --list, --check and --prepare exclude each other: give one of them; see {} "
                     "--help",
                     description.name));
   }

@@ -34,6 +34,7 @@ struct CommandLine {
   bool dry_run = false;                                     ///< --dry-run
   bool list = false;                                        ///< --list
   bool check = false;                                       ///< --check
+  bool prepare = false;                                     ///< --prepare
   bool json = false;                                        ///< --json, with --list or --check
   std::string text;                                         ///< the whole command, quoted for a shell, for provenance
 };

@@ -20,6 +20,9 @@ struct SampleSpecification {
   std::string name;          ///< its key below [sample]
   SampleRecipe recipe;       ///< where the search for its void ratio starts
   VoidRatioTarget target;
+
+  /// "e0_790_seed2": one for each sample of a configuration.
+  std::string label() const { return name + "_seed" + std::to_string(recipe.packing.seed); }
 };
 
 /// The tables [sample.<name>], made of [material] as [packing] and [preparation] say, to the stresses of the slope;

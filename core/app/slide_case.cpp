@@ -75,6 +75,7 @@ void SlideCase::read(const Configuration& configuration) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
       SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine, folder_);
+      if (closed_form_) read.point.sample.clear();
       if (!read.test || !closed_form_) slides_.push_back(std::move(read));
     }
   }
@@ -103,6 +104,12 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
   out << fmt::format("# {:.0f} global steps of {} s, about {:.3g} local steps of {} s\n",
                      std::ceil(planned.stop.end_time / settings.time_step), settings.time_step,
                      predicted_steps(settings, planned.stop), settings.passing.time_step);
+}
+
+void SlideCase::prepare(const Point& point, const ProgressStyle& progress) const {
+  if (closed_form_) return;
+  find_sample(*make_engine(preparation_engine_, "/dev/null"), slide(point.name).sample, sample_cache_folder(),
+              progress);
 }
 
 SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) const {

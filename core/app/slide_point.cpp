@@ -92,6 +92,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.replicate = replicate;
   read.sample = sample_named(configuration, table.key("sample"), samples);
   read.point.name = replicate_name(name, replicate);
+  read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
   read.engine = engine_of(table, engine);
   if (table.has("final_strain")) {

@@ -59,13 +59,14 @@ class Tiny : public Case {
     count_ = static_cast<double>(configuration.integer("count", Range::at_least(1)));
   }
   std::vector<Point> points() const override {
-    return {{"a", {"1"}, "the \"first\"", 61.2}, {"b", {"1", "12"}, "the second", 2.0}};
+    return {{"a", {"1"}, "the \"first\"", 61.2, "loose"}, {"b", {"1", "12"}, "the second", 2.0, "loose"}};
   }
   void print_plan(const Point& point, std::ostream& out) const override {
     int ranks = 0, one = 1;  // engines are made by all ranks together
     MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     out << "plan of " << point.name << " on " << ranks << "\n";
   }
+  void prepare(const Point& point, const ProgressStyle&) const override { ran.push_back("sample of " + point.name); }
   void run(const Point& point, const PointRun& run) const override {
     ran.push_back(point.name);
     provenance = run.provenance;
@@ -281,10 +282,18 @@ TEST_F(CaseProgramTest, ListsInJsonAndWritesNothing) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.output,
             "{\"points\": [\n"
-            "  {\"name\": \"a\", \"figures\": [\"1\"], \"predicted_seconds\": 61.2, "
+            "  {\"name\": \"a\", \"figures\": [\"1\"], \"predicted_seconds\": 61.2, \"sample\": \"loose\", "
             "\"description\": \"the \\\"first\\\"\"},\n"
-            "  {\"name\": \"b\", \"figures\": [\"1\", \"12\"], \"predicted_seconds\": 2.0, "
+            "  {\"name\": \"b\", \"figures\": [\"1\", \"12\"], \"predicted_seconds\": 2.0, \"sample\": \"loose\", "
             "\"description\": \"the second\"}\n]}\n");
+  EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(CaseProgramTest, PreparesEachSampleOnceAndWritesNoResult) {
+  const Outcome outcome = run({"--prepare"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.ran, std::vector<std::string>{"sample of a"});
+  EXPECT_EQ(run({"--prepare", "--point", "b"}).ran, std::vector<std::string>{"sample of b"});
   EXPECT_TRUE(nothing_written());
 }
 

@@ -106,6 +106,7 @@ TEST(CommandLine, RefusesOptionsThatExcludeEachOther) {
   EXPECT_CONTAINS(complaint({"--dry-run", "--list"}), "--list");
   EXPECT_CONTAINS(complaint({"--dry-run", "--check"}), "--check");
   EXPECT_CONTAINS(complaint({"--list", "--check"}), "--check");
+  EXPECT_CONTAINS(complaint({"--prepare", "--check"}), "--prepare");
   EXPECT_CONTAINS(complaint({"--json"}), "--json needs --list or --check");
 }
 
@@ -125,6 +126,7 @@ TEST(CommandLine, HelpNamesEveryOptionWithExamplesAndExitCodes) {
                            "--dry-run",
                            "--list",
                            "--check",
+                           "--prepare",
                            "--json",
                            "--version",
                            "--help",

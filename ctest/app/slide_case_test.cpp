@@ -106,6 +106,9 @@ TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
   EXPECT_EQ(values_of({result}, "profiles"), std::vector{3.0});
   EXPECT_GT(values_of({result}, "initial_void_ratio").at(0), 0.5);
   EXPECT_EQ(read_table(output() / "RD_r2_profiles.dat").series.rows(), 4U);
+  error_.clear();  // its sample is in the cache, and prepared no more
+  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--prepare"}), 0);
+  EXPECT_EQ(error_, "");
   ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
                  "point.RD.profile_strains=[0]", "--check"}), 0) << error_;
   EXPECT_TRUE(fs::exists(output() / "RD_profiles_band.dat"));

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The Slurm job script of all cases: task i of the array runs the i-th point. ./reproduce --slurm submits it.
+# Usage: sbatch --array=1-N [SBATCH OPTIONS...] slurm_array.sh POINT... -- COMMAND...
+#
+# Before its time is over, or when it is preempted, a task is told to stop; the point keeps a checkpoint and ends with 75,
+# and the task queues again to go on from there.
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --signal=B:TERM@120
+set -uo pipefail
+
+points=()
+while (($#)) && [[ $1 != -- ]]; do points+=("$1"); shift; done
+(($# > 1)) || { echo 'slurm_array.sh: no command behind --; ./reproduce --slurm submits this script' >&2; exit 2; }
+shift
+point=${points[SLURM_ARRAY_TASK_ID - 1]}
+# Each rank computes with one thread; mpirun inside takes the cores of the task.
+export OMP_NUM_THREADS=1
+
+"$@" --point "$point" &
+running=$! told=no
+trap 'told=yes; kill -TERM "$running"' TERM
+while :; do   # a signal ends `wait` before the program has ended
+  wait "$running"
+  code=$?
+  [[ $told == yes ]] || break
+  told=no
+done
+echo "slurm_array.sh: point $point ended with exit code $code" >&2
+((code != 75)) || scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
+exit "$code"
