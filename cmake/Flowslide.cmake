@@ -14,9 +14,9 @@ if(FLOWSLIDE_WERROR)
   target_compile_options(flowslide_options INTERFACE -Werror)
 endif()
 if(FLOWSLIDE_SANITIZE)
-  target_compile_options(flowslide_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+  target_compile_options(flowslide_options INTERFACE -fsanitize=${FLOWSLIDE_SANITIZE} -fno-sanitize-recover=undefined
                          -fno-omit-frame-pointer)
-  target_link_options(flowslide_options INTERFACE -fsanitize=address,undefined)
+  target_link_options(flowslide_options INTERFACE -fsanitize=${FLOWSLIDE_SANITIZE})
 endif()
 
 # flowslide_library(<folder of core> [DEPENDS <targets>...]): every .cpp of that folder (not of its sub-folders).
