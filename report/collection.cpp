@@ -119,6 +119,7 @@ std::vector<CaseResults> collect_results(const fs::path& project, const fs::path
     if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   std::vector<CaseResults> cases;
+  cases.reserve(names.size());
   for (const std::string& name : names) cases.push_back(read_case(project, results, name, scale));
 
   std::istringstream lines(read_file(project / "plots" / "figures.txt"));

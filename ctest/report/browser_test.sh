@@ -19,9 +19,9 @@ code=0
 ((code == 4)) || { echo "--check of the elastic sample ended with $code, expected 4: no grains, no liquefaction"; exit 1; }
 figures=0
 while read -r name the_case _; do
-  [[ $name != '#'* && -e $project/plots/gallery/$name.png ]] || continue
+  [[ $name != '#'* && -e $project/plots/gallery/quick/$name.png ]] || continue
   mkdir -p "$results/$the_case/quick"
-  cp "$project/plots/gallery/$name.png" "$results/$the_case/quick/"
+  cp "$project/plots/gallery/quick/$name.png" "$results/$the_case/quick/"
   [[ $the_case != fig08_trigger ]] || figures=$((figures + 1))   # the others were not run, and are not shown
 done <"$project/plots/figures.txt"
 "$report" --project "$project" --results "$results" --output "$room/page.html"
