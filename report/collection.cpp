@@ -52,7 +52,8 @@ CaseResults read_case(const fs::path& project, const fs::path& results, const st
   CaseResults found{.name = name, .folder = results / name / scale};
   if (const fs::path readme = project / "cases" / name / "README.md"; fs::exists(readme))
     found.readme = read_file(readme);
-  for (const fs::path& file : files_with(found.folder, ".h5")) found.runs.push_back(read_run(file));
+  for (const fs::path& file : files_with(found.folder, ".h5"))
+    if (!fs::exists(fs::path(file).replace_extension(".md"))) found.runs.push_back(read_run(file));
   for (const fs::path& file : files_with(found.folder, ".md"))
     if (file.filename() != "claims.md") found.tables.push_back(file);
   if (const fs::path claims = found.folder / "claims.json"; fs::exists(claims)) {

@@ -31,7 +31,7 @@ struct CaseResults {
   std::filesystem::path folder = {};  ///< of the results; need not exist
   std::vector<Figure> figures = {};
   std::vector<Verdict> verdicts = {};
-  std::vector<std::filesystem::path> tables = {};  ///< Markdown files that the case wrote
+  std::vector<std::filesystem::path> tables = {};  ///< Markdown that the case wrote; <table>.h5 has its numbers
   std::vector<Run> runs = {};
 
   bool empty() const { return verdicts.empty() && tables.empty() && runs.empty(); }

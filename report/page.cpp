@@ -77,6 +77,14 @@ std::string figure_html(const Figure& figure, const std::filesystem::path& folde
       escaped(figure.name), data_url(figure.picture, "image/png"), escaped(caption), link);
 }
 
+std::string table_html(const std::filesystem::path& table, const std::filesystem::path& folder) {
+  std::string html = fmt::format("<div class=\"wide table\">\n{}</div>\n", html_of_markdown(read_file(table)));
+  std::filesystem::path numbers = table;
+  if (std::filesystem::exists(numbers.replace_extension(".h5")))
+    html += fmt::format("<p class=\"small\"><a href=\"{}\">HDF5</a> of this table</p>\n", link_from(folder, numbers));
+  return html;
+}
+
 std::string folded(const std::string& title, const std::string& content) {
   if (content.empty()) return "";
   return fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(title), content);
@@ -90,8 +98,7 @@ std::string case_html(const CaseResults& results, const PageSetting& setting) {
   for (const Figure& figure : results.figures)
     if (!figure.picture.empty()) html += figure_html(figure, setting.folder);
   if (!results.verdicts.empty()) html += "<h3>Claims</h3>\n" + claims_table(results.verdicts);
-  for (const auto& table : results.tables)
-    html += fmt::format("<div class=\"wide table\">\n{}</div>\n", html_of_markdown(read_file(table)));
+  for (const auto& table : results.tables) html += table_html(table, setting.folder);
   for (const char* title : {"What is done", "Where we differ from the paper, and why"})
     html += folded(title, html_of_markdown(section(results.readme, title)));
   html += folded(fmt::format("Runs and their provenance ({})", results.runs.size()),

@@ -34,7 +34,7 @@ TEST_F(ReportPage, CarriesPicturesAndLinksToData) {
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,UE5H\" alt=\"Fig. 3: stress path\""));
   EXPECT_THAT(html, Not(HasSubstr("fig04.png")));
-  for (const char* file : {"fig03.pdf", "e0_790.h5", "e0_790.dat"})
+  for (const char* file : {"fig03.pdf", "e0_790.h5", "e0_790.dat", "table.h5"})
     EXPECT_THAT(html, HasSubstr("href=\"shear/quick/" + std::string(file) + "\""));
   EXPECT_THAT(html, HasSubstr("<td>0.5</td>"));
 }

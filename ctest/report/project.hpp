@@ -18,7 +18,7 @@ inline void write_file(const std::filesystem::path& file, const std::string& con
   write_atomically(file, content);
 }
 
-/// fig03_undrained: two figures of which one is drawn, a run, claims and a table; speed: nothing; no case: ignored.
+/// shear: two figures of which one is drawn, a run, a torn one, claims and a table; speed: nothing. No case: ignored.
 inline void write_project(const std::filesystem::path& folder) {
   write_file(folder / "plots/figures.txt",
              "# a comment\nfig03  shear  fig03.gp  stress path\nfig04  shear  fig04.gp  two rates\n");
@@ -33,6 +33,7 @@ inline void write_project(const std::filesystem::path& folder) {
   write_file(results / "claims.json", example_claims);
   write_file(results / "claims.md", "the same claims\n");
   write_file(results / "table.md", "| N | error |\n|---|---|\n| 8 | 0.5 |\n");
+  write_file(results / "table.h5", "numbers of the table");
   write_result(results / "e0_790.h5", example_result());
   write_file(results / "e0_790.dat", "# table\n");
   write_file(results / "torn.h5", "no HDF5");
