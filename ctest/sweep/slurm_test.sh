@@ -88,11 +88,11 @@ chmod +x "$room/point"
 job=$(sbatch --parsable --array=1 --chdir="$room" --output="$room/task.log" "$tree/scripts/slurm_array.sh" only -- "$room/point" -x)
 for _ in {1..100}; do [[ -e $room/started ]] && break; sleep 0.1; done
 scancel --batch --signal=TERM "${job}_1"
-for _ in {1..300}; do [[ -e $room/points ]] && break
-  # Slurm holds a requeued job back for two minutes; a test need not wait so long.
-  scontrol update JobId="${job}_1" StartTime=now >/dev/null 2>&1 || true
-  sleep 0.2
-done
+# Slurm holds a requeued job back for two minutes, until it is over on its node; a test need not wait so long.
+for _ in {1..100}; do [[ $(squeue -h -j "$job" -o %T) == PENDING ]] && break; sleep 0.2; done
+sleep 3
+scontrol update JobId="${job}_1" StartTime=now
+for _ in {1..150}; do [[ -e $room/points ]] && break; sleep 0.2; done
 [[ $(cat "$room/points" 2>/dev/null) == '-x --point only resumed' ]] ||
   { complain 'a stopped point did not go on:'; cat "$room/task.log"; scontrol show job "$job"; }
 echo "$failures failures"
