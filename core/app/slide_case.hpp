@@ -21,7 +21,7 @@ struct SlideOutcome {
   const Series& series;     ///< see slide_series, or element_test_series
   const Series& profiles;   ///< see ProfileRecord; without columns if none were asked for
   Stop stop;                ///< why it ended
-  const DemSample* grains;  ///< the sample as it is left; null if it is not made of grains
+  const DemSample* grains = nullptr;  ///< the sample as it is left; null if it is not made of grains
 };
 
 class SlideCase : public Case {
