@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/checkpoint.hpp"
 #include "app/output_folder.hpp"
-#include "grains/assembly.hpp"
 
 namespace flowslide {
 
@@ -19,11 +19,11 @@ class Pictures {
   /// Writes fig02_before.dat and fig02_during.dat, and <name>.pvd with its .vtp files.
   void write(const OutputFolder& output, const std::string& name) const;
 
+  /// What has been kept, for a checkpoint, and going on from there.
+  const std::vector<Shot>& shots() const { return shots_; }
+  void restore(const std::vector<Shot>& shots) { shots_ = shots; }
+
  private:
-  struct Shot {
-    double time = 0.0, strain = 0.0;
-    Assembly assembly;
-  };
   std::optional<double> strain_;
   std::vector<Shot> shots_;
 };

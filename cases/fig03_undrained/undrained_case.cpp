@@ -86,8 +86,10 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
 }
 
 FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem::path& log,
-                                      const ProgressStyle& progress) const {
-  return find_sample(*make_engine(preparation_engine_, log), sample_of(curve), sample_cache_folder(), progress);
+                                      const ProgressStyle& progress,
+                                      const std::function<void()>& interruption) const {
+  return find_sample(*make_engine(preparation_engine_, log), sample_of(curve), sample_cache_folder(), progress,
+                     interruption);
 }
 
 void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress) const {
@@ -96,28 +98,42 @@ void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress) c
 
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const Curve& running = curve(point.name);
-  const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress);
+  const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress,
+                                       [&] { run.checkpoints.border_of_preparation(); });
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
 
-  DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, time_step_, 0.0});
-  Progress progress(point.name, running.test.steps(time_step_), run.progress);
-  Pictures pictures(running.picture_strain);
-  const Series series =
-      run_element_test(sample, running.test, [&](std::int64_t steps, const Assembly& assembly, const Series& so_far) {
-        pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
-        progress.update(steps,
-                        fmt::format("strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", 100.0 * sample.shear_strain(),
-                                    sample.stress().shear, sample.stress().normal));
-      });
+  run.checkpoints.check_engine(engine->name(), engine->version());
 
-  Result result{run.provenance, run.configuration, run.configuration_hash, series,
-                metrics_of(found)};
-  for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
-    result.metrics.push_back(metric);
-  result.provenance.engine = engine->name();
-  result.provenance.engine_version = engine->version();
-  result.provenance.seed = seed_;
-  result.provenance.replicate = running.replicate;
+  DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, time_step_, 0.0});
+  Pictures pictures(running.picture_strain);
+  Series rows = element_test_series();
+  if (const auto& kept = run.checkpoints.found()) {
+    sample.restore(kept->sample);
+    pictures.restore(kept->shots);
+    rows = kept->so_far.series;
+  }
+  const auto result_of = [&](const Series& series) {
+    Result result{run.provenance, run.configuration, run.configuration_hash, series, metrics_of(found)};
+    for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
+      result.metrics.push_back(metric);
+    result.provenance.engine = engine->name();
+    result.provenance.engine_version = engine->version();
+    result.provenance.seed = seed_;
+    result.provenance.replicate = running.replicate;
+    return result;
+  };
+  const std::int64_t steps = running.test.steps(time_step_);
+  Progress progress("fig03_undrained " + point.name, steps, run.progress, sample.steps());
+  const auto observe = [&](std::int64_t done, const Assembly& assembly, const Series& so_far) {
+    pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
+    progress.update(done, fmt::format("t {:.3f} s, strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", sample.time(),
+                                      100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
+    run.checkpoints.border([&] {
+      return Checkpoint{result_of(so_far), static_cast<double>(done) / static_cast<double>(steps), sample.state(), {},
+                        pictures.shots()};
+    });
+  };
+  const Result result = result_of(run_element_test(sample, running.test, observe, std::move(rows)));
   on_first_rank([&] {
     pictures.write(run.output, point.name);
     write_table(run.output.file(point.name + ".dat"), table_of(result));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "app/case_program.hpp"
@@ -36,7 +37,8 @@ class UndrainedCase : public Case {
   void read_curve(const Configuration& configuration, const std::string& name, int replicate);
   const Curve& curve(const std::string& name) const;
   /// The sample of a curve, from the cache or by the engine of the preparation, which writes of itself to `log`.
-  FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress) const;
+  FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress,
+                         const std::function<void()>& interruption = {}) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

@@ -12,6 +12,8 @@
 #include "app/claims.hpp"
 #include "app/error.hpp"
 #include "app/ranks.hpp"
+#include "app/so_far.hpp"
+#include "app/status.hpp"
 #include "dem/liggghts/instance.hpp"
 #include "record/atomic_file.hpp"
 #include "record/result_file.hpp"
@@ -39,8 +41,11 @@ class CaseProgram {
     if (options_.dry_run) return plan();
     if (options_.check) return check();
     if (options_.prepare) return prepare();
+    if (options_.status) return status();
+    if (options_.so_far) return write_so_far();
+    RunControl control({options_.checkpoint_interval, options_.max_walltime});
     for (const Point& point : points_)
-      if (chosen_.contains(point.name)) run_point(point);
+      if (chosen_.contains(point.name)) run_point(point, control);
     // A single point is one of several programs side by side: who started them asks for the claims.
     return options_.points.empty() ? check() : to_int(ExitCode::ok);
   }
@@ -99,13 +104,40 @@ class CaseProgram {
     return to_int(ExitCode::ok);
   }
 
-  void run_point(const Point& point) {
-    const std::string hash = configuration_.hash();
+  int status() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
+    std::vector<PointStatus> all;
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name)) all.push_back(status_of(output, point.name));
+    std::cout << (options_.json ? status_json(all) : status_table(all));
+    return to_int(ExitCode::ok);
+  }
+
+  int write_so_far() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    const std::string& name = case_.description().name;
+    const OutputFolder output = OutputFolder::open_existing(options_.output, name);
+    const OutputFolder copy = OutputFolder::open(output.file("so_far"), name);
+    std::vector<std::string> chosen;
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name)) chosen.push_back(point.name);
+    std::cerr << copy_so_far(output, copy, chosen);
+    case_.finish(copy);
+    std::cout << copy.path().string() << "\n";
+    return to_int(ExitCode::ok);
+  }
+
+  void run_point(const Point& point, RunControl& control) {
+    const std::string hash = configuration_.hash(), &case_name = case_.description().name;
+    if (control.border() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
     std::optional<OutputFolder> output;
+    std::optional<FileLock> lock;  // held until the point is over
     bool complete = false;
     on_first_rank([&] {
-      output.emplace(OutputFolder::open(options_.output, case_.description().name));
-      output->begin_point(point.name, hash);
+      if (options_.resume) OutputFolder::open_existing(options_.output, case_name);
+      output.emplace(OutputFolder::open(options_.output, case_name));
+      lock.emplace(output->begin_point(point.name, hash, configuration_.resolved()));
       const auto file = output->file(point.name + ".h5");
       complete = is_complete(file, hash);
       if (!complete && std::filesystem::exists(file))  // not to be found out when the run is over
@@ -113,24 +145,34 @@ class CaseProgram {
             fmt::format("{} is damaged or of another configuration; delete it and run that point "
                         "again",
                         file.string()));
+      if (complete || options_.afresh) output->checkpoints(point.name).remove();
     });
     complete = same_on_all_ranks(complete);
-    if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_.description().name));
-    PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
-                 ProgressStyle::of_stderr(mpi_rank())};
+    if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_name));
     if (complete) {
       if (first_rank())
         std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
                                  point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }
+    PointCheckpoints checkpoints(output->checkpoints(point.name), control, configuration_.resolved());
+    PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
+                 ProgressStyle::of_stderr(mpi_rank()), checkpoints};
     run.provenance.mpi_ranks = mpi_ranks();
-    run.provenance.case_name = case_.description().name;
+    run.provenance.case_name = case_name;
     run.provenance.point = point.name;
     run.provenance.scale = options_.scale;
     for (const std::string& figure : point.figures)
       run.provenance.figure += (run.provenance.figure.empty() ? "" : ", ") + figure;
-    case_.run(point, run);
+    try {
+      case_.run(point, run);
+    } catch (const CorruptFileError&) {
+      throw;
+    } catch (const FileError& error) {  // such as a full disk
+      const bool kept = !output->checkpoints(point.name).empty();
+      throw FileError(fmt::format("{}{}", error.what(), kept ? "; the same command goes on from its last checkpoint" : ""));
+    }
+    on_first_rank([&] { output->checkpoints(point.name).remove(); });
   }
 
   int check() const {

@@ -10,6 +10,7 @@
 #include "app/command_line.hpp"
 #include "app/configuration.hpp"
 #include "app/output_folder.hpp"
+#include "app/point_checkpoints.hpp"
 #include "app/progress.hpp"
 #include "record/provenance.hpp"
 
@@ -31,6 +32,7 @@ struct PointRun {
   std::string configuration;          ///< resolved
   std::string configuration_hash;
   ProgressStyle progress;
+  PointCheckpoints& checkpoints;      ///< what it goes on from, and to be asked at each border between exchanges
 };
 
 /// A case of the paper: what differs between their programs.
@@ -46,7 +48,8 @@ class Case {
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
   /// Prepares the sample of a point for the cache, or finds it there. Collective over the MPI ranks.
   virtual void prepare(const Point&, const ProgressStyle&) const {}
-  /// Runs a point and writes its files. Collective over the MPI ranks.
+  /// Runs a point, from where its checkpoints say, and writes its files, <point>.h5 last: a point is complete with
+  /// that, and its checkpoints go. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;
   /// The numbers that claims are about, from the files of these points. A number that does not exist is left out.
   virtual std::map<std::string, double> metrics(const std::filesystem::path& folder,

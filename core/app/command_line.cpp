@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "app/error.hpp"
@@ -63,6 +64,7 @@ struct Raw {
   std::string configuration_file;
   std::string output;
   bool allow_unstable = false;
+  std::string checkpoint_interval, max_walltime;
 };
 
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
@@ -108,6 +110,25 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->group(group);
 }
 
+void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
+  const std::string group = "Long runs";
+  app.add_flag("--resume", command_line.resume,
+               "Go on with a folder of results, which must be there. Points go on from their checkpoints without this "
+               "option, too; those that have none begin at the beginning")
+      ->group(group);
+  app.add_flag("--afresh", command_line.afresh, "Delete the checkpoints of the points first, and begin them anew")
+      ->excludes("--resume")
+      ->group(group);
+  app.add_option("--checkpoint-interval", raw.checkpoint_interval,
+                 "Time between checkpoints, at the next exchange; default: 3 min")
+      ->type_name("TIME")
+      ->group(group);
+  app.add_option("--max-walltime", raw.max_walltime,
+                 "Keep a checkpoint and end with 75 before this time, from the start of the program, is over: \"24 h\"")
+      ->type_name("TIME")
+      ->group(group);
+}
+
 void add_other_options(CLI::App& app, CommandLine& command_line) {
   const std::string group = "Instead of a run";
   app.add_flag("--dry-run", command_line.dry_run,
@@ -121,7 +142,14 @@ void add_other_options(CLI::App& app, CommandLine& command_line) {
   app.add_flag("--prepare", command_line.prepare,
                "Prepare the samples that the points need, for the cache; a point alone would do it, too")
       ->group(group);
-  app.add_flag("--json", command_line.json, "Machine-readable output of --list or --check")->group(group);
+  app.add_flag("--status", command_line.status,
+               "Print how far the points in --output have come: complete, running, stopped or not begun, and where")
+      ->group(group);
+  app.add_flag("--so-far", command_line.so_far,
+               "Write what there is, of points that are not complete up to their last checkpoint, to the folder so_far "
+               "in --output, to be drawn as a whole run is; runs go on undisturbed")
+      ->group(group);
+  app.add_flag("--json", command_line.json, "Machine-readable output of --list, --status or --check")->group(group);
 }
 
 std::string footer(const std::string& name) {
@@ -150,6 +178,18 @@ std::string footer(const std::string& name) {
   throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
 }
 
+/// A time above 0 in s; `unset` for an option that was not given.
+double time_in(const std::string& text, const char* option, double unset) {
+  if (text.empty()) return unset;
+  try {
+    if (const double time = parse_quantity(text, dimension::time); time > 0.0 && std::isfinite(time)) return time;
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError(fmt::format("{}: {}", option, error.what()));
+  }
+  throw ConfigurationError(fmt::format("{}: \"{}\" is not above 0; write, for example, {} \"90 min\"", option, text,
+                                       option));
+}
+
 void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const CaseDescription& description) {
   const auto given = [&app](const char* name) { return app.count(name) > 0; };
   for (const std::string& setting : raw.settings) {
@@ -172,14 +212,17 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;
-  if (command_line.dry_run + command_line.list + command_line.check + command_line.prepare > 1) {
+  command_line.checkpoint_interval = time_in(raw.checkpoint_interval, "--checkpoint-interval", 180.0);
+  command_line.max_walltime = time_in(raw.max_walltime, "--max-walltime", std::numeric_limits<double>::infinity());
+  const int others = command_line.status + command_line.so_far + command_line.prepare;
+  if (command_line.dry_run + command_line.list + command_line.check + others > 1) {
     throw ConfigurationError(
-        fmt::format("--dry-run, --list, --check and --prepare exclude each other: give one of them; see {} "
+        fmt::format("--dry-run, --list, --check, --prepare, --status and --so-far exclude each other: give one; see {} "
                     "--help",
                     description.name));
   }
-  if (command_line.json && !command_line.list && !command_line.check)
-    throw ConfigurationError(fmt::format("--json needs --list or --check; see {} --help", description.name));
+  if (command_line.json && !command_line.list && !command_line.check && !command_line.status)
+    throw ConfigurationError(fmt::format("--json needs --list, --status or --check; see {} --help", description.name));
 }
 
 }  // namespace
@@ -195,6 +238,7 @@ CommandLine parse(int argc, const char* const* argv, const CaseDescription& desc
       ->group("About");
   app.footer(footer(description.name));
   add_run_options(app, raw, command_line, description);
+  add_long_run_options(app, raw, command_line);
   add_other_options(app, command_line);
   try {
     app.parse(argc, argv);

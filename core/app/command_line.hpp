@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,12 @@ struct CommandLine {
   std::optional<std::int64_t> replicates;                   ///< --replicates; without it the key `replicates` decides
   std::filesystem::path output;                             ///< --output; results/<case>/<scale> when not given
   std::vector<std::string> points;                          ///< --point; empty: all
+  bool resume = false;                                      ///< --resume
+  bool afresh = false;                                      ///< --afresh
+  double checkpoint_interval = 180.0;                       ///< --checkpoint-interval, s
+  double max_walltime = std::numeric_limits<double>::infinity();  ///< --max-walltime, s
+  bool status = false;                                      ///< --status
+  bool so_far = false;                                      ///< --so-far
   bool dry_run = false;                                     ///< --dry-run
   bool list = false;                                        ///< --list
   bool check = false;                                       ///< --check

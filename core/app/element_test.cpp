@@ -85,12 +85,16 @@ Series element_test_series() {
   return series;
 }
 
-Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe) {
-  Series series = element_test_series();
+Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe, Series so_far) {
+  Series series = std::move(so_far);
   const double time_step = sample.settings().time_step;
-  std::int64_t done = 0;
+  const std::vector<std::int64_t> rows = test.row_steps(time_step);
+  if (series.rows() > rows.size())
+    throw std::invalid_argument(fmt::format("an element test of {} rows cannot go on from {}", rows.size(), series.rows()));
+  std::int64_t done = series.rows() > 0 ? rows[series.rows() - 1] : 0;
   sample.start_linear_at_first_strain();  // the first row is at rest
-  for (const std::int64_t at : test.row_steps(time_step)) {
+  for (std::size_t k = series.rows(); k < rows.size(); ++k) {
+    const std::int64_t at = rows[k];
     if (at > done) sample.strain({{test.shear_rate, 0.0}, at - done, time_step});
     done = at;
     const Assembly assembly = sample.assembly();

@@ -25,12 +25,14 @@ struct ElementTest {
 /// inertial number, void ratio, and shear and normal stress by Bagi, by Nicot and of the kinetic part.
 Series element_test_series();
 
-/// What is told after each row.
+/// What is told after each row; it may end the test by an exception, to be gone on with.
 using RowObserver = std::function<void(std::int64_t steps, const Assembly& assembly, const Series& series)>;
 
 /// Shears a sample from a linear velocity field and records it. The mean stress is that of the bulk (see bulk_stress)
 /// with the kinetic part, and the inertial number is built on it, so that it stays finite when no contact is left.
+/// `so_far` are the rows of a test that is gone on with, by a sample that stands at the last of them.
 /// Throws NumericalFailure.
-Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe = {});
+Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe = {},
+                        Series so_far = element_test_series());
 
 }  // namespace flowslide

@@ -29,6 +29,8 @@ int run_main(const std::function<int()>& body, int rank) noexcept {
     if (rank == 0) std::fputs(finished.what(), stdout);
     std::fflush(stdout);
     return to_int(ExitCode::ok);
+  } catch (const Stopped& stopped) {
+    return end_with(stopped.code(), stopped.what(), rank);
   } catch (const ConfigurationError& error) {
     return end_with(ExitCode::configuration, error.what(), rank);
   } catch (const FileError& error) {

@@ -11,7 +11,7 @@ namespace flowslide {
 /// What a program returns to the shell. These numbers are part of the interface: scripts and schedulers read them.
 enum class ExitCode : int {
   ok = 0,                 ///< all that was asked for is done
-  configuration = 2,      ///< bad option, bad configuration file, or an output that cannot be written; nothing was run
+  configuration = 2,      ///< bad option, bad configuration file, or an output that cannot be written
   numerical_failure = 3,  ///< the run was stopped with a diagnosis: no result of it may be used
   claim_not_met = 4,      ///< the run is good, but a claim of the paper does not hold in it
   resumable = 75,         ///< stopped in time; a later call goes on from the checkpoint
@@ -37,9 +37,19 @@ class FinishedEarly : public std::exception {
   std::string text_;
 };
 
+/// A run was stopped before its end, and has kept what it goes on from.
+class Stopped : public std::runtime_error {
+ public:
+  Stopped(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
 /// Runs `body` and returns its result, or the exit code that belongs to the exception it ended with:
 /// ConfigurationError, FileError of record, std::filesystem::filesystem_error, std::invalid_argument, std::domain_error
-/// -> 2, everything else (std::runtime_error of an engine, std::bad_alloc, unknown types) -> 3, FinishedEarly -> 0.
+/// -> 2, everything else (std::runtime_error of an engine, std::bad_alloc, unknown types) -> 3, FinishedEarly -> 0, Stopped -> its own.
 /// Prints exactly one message "flowslide: ..." to stderr per failure. `rank` is the MPI rank, if known: what every rank
 /// says alike (help, configuration) is printed by rank 0 only, a numerical failure by each rank that meets it.
 /// Never throws.

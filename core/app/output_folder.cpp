@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
+#include <vector>
 
+#include "app/difference.hpp"
 #include "app/error.hpp"
 #include "record/atomic_file.hpp"
 
@@ -65,6 +69,18 @@ void check_foreign_files(const fs::path& path) {
   }
 }
 
+/// What write_atomically leaves when its process is killed. The lock of the point is held: nobody writes it now.
+void remove_half_written(const fs::path& folder, const std::string& point) {
+  std::error_code failure;
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    const std::string name = entry.path().filename().string();
+    const bool of_point = name.starts_with("." + point + ".") || name.starts_with("." + point + "_profiles.");
+    if (of_point && name.ends_with(".partial")) left.push_back(entry.path());
+  }
+  for (const fs::path& path : left) fs::remove(path, failure);
+}
+
 }  // namespace
 
 OutputFolder OutputFolder::open(const fs::path& path, const std::string& case_name) {
@@ -97,19 +113,36 @@ std::string OutputFolder::hash_of(const std::string& point) const {
   return read_line(path_ / mark_folder / (point + ".hash"));
 }
 
-void OutputFolder::begin_point(const std::string& point, const std::string& hash) const {
+fs::path OutputFolder::lock_path(const std::string& point) const { return path_ / mark_folder / (point + ".lock"); }
+
+CheckpointStore OutputFolder::checkpoints(const std::string& point) const { return {path_ / mark_folder, point}; }
+
+FileLock OutputFolder::begin_point(const std::string& point, const std::string& hash,
+                                   const std::string& configuration) const {
   const auto allowed = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   };
   if (point.empty() || !std::all_of(point.begin(), point.end(), allowed))
     throw std::invalid_argument(fmt::format("\"{}\" is no name of a point", point));
-  const std::string before = hash_of(point);
-  if (!before.empty() && before != hash) {
-    refuse(path_, fmt::format("holds the point \"{}\" of another configuration (hash {}, now {}), which is not "
-                              "overwritten",
-                              point, before, hash));
+  std::optional<FileLock> lock;
+  for (int tries = 0; tries < 10 && !lock; ++tries) {  // who asks for the status holds it for a moment
+    if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    lock = FileLock::try_lock(lock_path(point));
   }
+  if (!lock) refuse(path_, fmt::format("is in use: another process runs the point \"{}\" there", point));
+  const std::string before = hash_of(point);
+  const fs::path kept = path_ / mark_folder / (point + ".toml");
+  if (!before.empty() && before != hash) {
+    std::error_code failure;
+    const std::string difference = fs::exists(kept, failure) ? difference_of(read_file(kept), configuration) : "";
+    refuse(path_, fmt::format("holds the point \"{}\" of another configuration (hash {}, now {}{}), which is not "
+                              "overwritten",
+                              point, before, hash, difference.empty() ? "" : ": " + difference));
+  }
+  for (const fs::path& folder : {path_, path_ / mark_folder}) remove_half_written(folder, point);
+  write_atomically(kept, configuration);
   write_atomically(path_ / mark_folder / (point + ".hash"), hash + "\n");
+  return *std::move(lock);
 }
 
 }  // namespace flowslide

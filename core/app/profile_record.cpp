@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "grains/profiles.hpp"
 
@@ -62,7 +63,7 @@ double ProfileRecord::next_strain() const {
 void ProfileRecord::take(double strain, const DemSample& sample) {
   if (strain < next_strain_) return;
   if (sums_.empty() || sums_.back().snapshots == plan_.snapshots) sums_.emplace_back();
-  Sums& sums = sums_.back();
+  ProfileSums& sums = sums_.back();
   const Assembly assembly = sample.assembly();
   const EngineSettings& settings = sample.settings();
   const Profiles now =
@@ -77,12 +78,26 @@ void ProfileRecord::take(double strain, const DemSample& sample) {
   next_strain_ = next_strain();
 }
 
+void ProfileRecord::restore(std::vector<ProfileSums> sums) {
+  bool fits = sums.size() <= plan_.strains.size();
+  for (std::size_t i = 0; i < sums.size() && fits; ++i) {
+    const bool last = i + 1 == sums.size();
+    fits = sums[i].velocity.size() == static_cast<std::size_t>(plan_.sublayers) &&
+           sums[i].shear.size() == sums[i].velocity.size() && sums[i].normal.size() == sums[i].velocity.size() &&
+           sums[i].snapshots >= 1 && sums[i].snapshots <= plan_.snapshots &&
+           (last || sums[i].snapshots == plan_.snapshots);
+  }
+  if (!fits) throw std::invalid_argument("the profiles are not of this plan: other strains, sublayers or snapshots");
+  sums_ = std::move(sums);
+  next_strain_ = next_strain();
+}
+
 Series ProfileRecord::series() const {
   Series series;
   series.axis = {"relative_height", "z/H", "1", "height over that of the sample", "from the bottom up", {}};
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
   for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
-    const Sums& sums = sums_[i];
+    const ProfileSums& sums = sums_[i];
     const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i + 1); };
     const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
     series.columns.push_back({name("velocity"), "<v_x>/v_top", "1", "velocity over that of the top layer" + at,

@@ -21,6 +21,13 @@ struct ProfilePlan {
 /// ConfigurationError.
 ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key);
 
+/// One profile as far as its snapshots have been taken: sums over them, values per sublayer.
+struct ProfileSums {
+  std::vector<double> velocity, shear, normal;  ///< m/s, Pa, Pa
+  double top_velocity = 0.0, sample_shear = 0.0, sample_normal = 0.0;
+  int snapshots = 0;
+};
+
 /// Profiles of one slide: column <what>_<i> of `series` belongs to the i-th strain, from 1, over the relative height
 /// z/H from 0 at the bottom to 1 at the top. Each is the sum of its snapshots over the sum of what it is a share of:
 ///   velocity_<i>       <v_x> over the velocity of the top layer
@@ -36,16 +43,16 @@ class ProfileRecord {
   /// Those profiles that have all their snapshots.
   Series series() const;
 
+  /// What has been taken, to be kept, and going on from there. Throws std::invalid_argument for sums that are not of
+  /// this plan.
+  const std::vector<ProfileSums>& sums() const { return sums_; }
+  void restore(std::vector<ProfileSums> sums);
+
  private:
-  struct Sums {
-    std::vector<double> velocity, shear, normal;  ///< per sublayer
-    double top_velocity = 0.0, sample_shear = 0.0, sample_normal = 0.0;
-    int snapshots = 0;
-  };
   double next_strain() const;
 
   ProfilePlan plan_;
-  std::vector<Sums> sums_;
+  std::vector<ProfileSums> sums_;
   double next_strain_;
 };
 

@@ -74,14 +74,16 @@ Progress::~Progress() {
   if (line_open_) *style_.stream << std::endl;
 }
 
+bool Progress::due() const {
+  const auto interval = style_.terminal ? style_.rewrite_interval : std::chrono::milliseconds(style_.line_interval);
+  return !style_.silent && !finished_ && style_.now() - last_write_ >= interval;
+}
+
 void Progress::update(std::int64_t done, std::string_view text) {
   check_steps(done, total_);
   done_ = done;
-  if (style_.silent || finished_) return;
-  const auto now = style_.now();
-  const auto interval = style_.terminal ? style_.rewrite_interval : std::chrono::milliseconds(style_.line_interval);
-  if (now - last_write_ < interval) return;
-  last_write_ = now;
+  if (!due()) return;
+  last_write_ = style_.now();
   write(line(text));
 }
 

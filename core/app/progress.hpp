@@ -38,6 +38,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Whether an update would be written now: texts and totals that cost something are made only then.
+  bool due() const;
   /// Says that `done` steps of the total are done. Cheap: most calls only read the clock.
   void update(std::int64_t done, std::string_view text = {});
   /// Changes the number of steps in all, when it turns out to be another.

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <optional>
+#include <thread>
 
 #include "app/ranks.hpp"
 #include "record/hash.hpp"
@@ -15,6 +17,9 @@ namespace {
 
 /// A rough count, for the progress line alone: a preparation takes 120 000 to 250 000 steps.
 constexpr std::int64_t typical_steps = 200'000;
+
+/// While another process prepares the same sample.
+constexpr std::chrono::milliseconds time_between_tries{50};
 
 double metric(const StoredSample& stored, const std::string& name) {
   for (const Metric& candidate : stored.metrics)
@@ -50,13 +55,26 @@ PreparedSample prepared(const StoredSample& stored) {
   return sample;
 }
 
+/// The lock of a sample on the first rank, once no other process holds it.
+std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key,
+                                 const std::function<void()>& interruption) {
+  std::optional<FileLock> lock;
+  for (;;) {
+    on_first_rank([&] { lock = store.try_lock(key); });
+    if (same_on_all_ranks(lock.has_value())) return lock;
+    if (interruption) interruption();
+    std::this_thread::sleep_for(time_between_tries);
+  }
+}
+
 PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
-                                     const ProgressStyle& style) {
+                                     const ProgressStyle& style, const std::function<void()>& interruption) {
   Progress progress(label, typical_steps, style);
   const PreparedSample sample = prepare_sample(engine, recipe, [&](const PreparationProgress& now) {
     if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
     progress.update(now.steps, fmt::format("stage {} of 4, e {:.3f}, sigma {:.0f} Pa", std::min(now.stage, 4),
                                            now.void_ratio, now.stress.normal));
+    if (interruption) interruption();
   });
   progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
   return sample;
@@ -82,8 +100,8 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
   return hash_of(recipe.text() + "engine = " + engine + "\n");
 }
 
-FoundSample find_sample(Engine& engine, const SampleSpecification& specification,
-                        const std::filesystem::path& cache, const ProgressStyle& style) {
+FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
+                        const ProgressStyle& style, const std::function<void()>& interruption) {
   std::optional<SampleStore> store;
   on_first_rank([&] { store.emplace(cache); });
   if (!store) store.emplace(cache);  // the folder is there now
@@ -91,8 +109,7 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
   FoundSample found;
   const auto prepare = [&](const SampleRecipe& recipe) {
     const std::string key = cache_key(recipe, engine_name);
-    std::optional<FileLock> lock;
-    on_first_rank([&] { lock.emplace(store->lock(key)); });
+    const std::optional<FileLock> lock = wait_for(*store, key, interruption);
     if (const auto kept = store->find(key)) {
       try {
         found.sample = prepared(*kept);
@@ -103,7 +120,7 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
       found.sample = prepare_with_progress(engine, recipe, fmt::format("sample {} (e0 {} wanted), trial {}",
                                                                        specification.name,
                                                                        specification.target.void_ratio,
-                                                                       found.trials + 1), style);
+                                                                       found.trials + 1), style, interruption);
       on_first_rank([&] { store->put(key, stored(found.sample, recipe.text())); });
     }
     ++found.trials;

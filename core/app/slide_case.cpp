@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <stdexcept>
 
 #include "app/closed_form_models.hpp"
 #include "app/coupling_models.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
+#include "app/slide_progress.hpp"
 #include "dem/make_engine.hpp"
 #include "record/gnuplot_table.hpp"
 
@@ -24,12 +26,23 @@ bool is_closed_form(const std::string& engine) {
   return std::find(names.begin(), names.end(), engine) != names.end();
 }
 
-std::string state_text(const SlideState& state) {
-  return fmt::format("t {:.2f} s, v {:.2f} m/s, tau {:.0f} Pa", state.time, state.velocity, state.stress.shear);
-}
-
 Table band_table(const std::string& case_name, const std::string& slide, std::size_t replicates, Series series) {
   return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
+}
+
+std::string row_text(const Series& rows) {
+  return fmt::format("t {:.3f} s, strain {:.2f} %, tau {:.0f} Pa, sigma {:.0f} Pa", rows.axis.values.back(),
+                     100.0 * rows.column("shear_strain").values.back(), rows.column("shear_stress").values.back(),
+                     rows.column("normal_stress").values.back());
+}
+
+/// The tables first: a point is complete with its <point>.h5.
+void write_point(const OutputFolder& output, const std::string& point, const Result& result, const Series& profiles) {
+  Table table = table_of(result);
+  write_table(output.file(point + ".dat"), table);
+  table.series = profiles;
+  if (!profiles.columns.empty()) write_table(output.file(point + "_profiles.dat"), table);
+  write_result(output.file(point + ".h5"), result);
 }
 
 }  // namespace
@@ -122,11 +135,13 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   }
   const auto preparing =
       make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"));
-  const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress);
+  const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
+                                        [&] { run.checkpoints.border_of_preparation(); });
   loaded.metrics = metrics_of(found);
   loaded.engine = make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"));
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
-                                            EngineSettings{slide.sample.recipe.material, slide.settings.passing.time_step, 0.0});
+                                            EngineSettings{slide.sample.recipe.material,
+                                                           slide.settings.passing.time_step, 0.0});
   if (slide.linear_start) grains->start_linear_at_first_strain();
   loaded.grains = grains.get();
   loaded.sample = std::move(grains);
@@ -136,9 +151,24 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
 }
 
 SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  Progress progress(running.point.name, running.test->steps(running.settings.passing.time_step), run.progress);
-  const auto observe = [&](std::int64_t steps, const Assembly&, const Series&) { progress.update(steps); };
-  Records records{run_element_test(*loaded.grains, *running.test, observe), {}, Stop::end_shear_strain};
+  Records records{element_test_series(), {}, Stop::not_yet};
+  std::int64_t done = 0;
+  const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
+  if (const auto& found = run.checkpoints.found()) {
+    loaded.sample->restore(found->sample);
+    records.series = found->so_far.series;
+    done = loaded.grains->steps();
+  }
+  Progress progress(fmt::format("{} {}", description_.name, running.point.name), steps, run.progress, done);
+  const auto observe = [&](std::int64_t at, const Assembly&, const Series& rows) {
+    progress.update(at, row_text(rows));
+    run.checkpoints.border([&] {
+      return Checkpoint{result_of(running, loaded, run, {rows, {}, Stop::not_yet}),
+                        static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(), {}, {}};
+    });
+  };
+  records.series = run_element_test(*loaded.grains, *running.test, observe, std::move(records.series));
+  records.stop = Stop::end_shear_strain;
   progress.finish();
   return records;
 }
@@ -148,39 +178,55 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
                           running.sample.recipe.material.density};
   Slide sliding(running.settings, *loaded.sample);
   SlideRecord record{running.rows, grains};
-  ProfileRecord profile_record(running.profiles);
-  Progress progress(running.point.name, std::llround(running.stop.end_time / running.settings.time_step), run.progress);
+  ProfileRecord profiles(running.profiles);
+  if (const auto& found = run.checkpoints.found()) {
+    if (!found->slide) throw CorruptFileError(fmt::format("the checkpoint of {} is not of a slide", running.point.name));
+    loaded.sample->restore(found->sample);
+    sliding.restore(found->slide->state);
+    profiles.restore(found->slide->profiles);
+    record = {found->slide->spacing, grains, found->so_far.series, found->slide->next_time, found->slide->next_strain};
+  }
+  SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop, run.progress, sliding.state());
   SlideHooks hooks;
-  hooks.row = [&](const Slide& now, const Series&) {
-    progress.update(now.state().exchanges, state_text(now.state()));
-  };
   hooks.go_on = [&](const SlideState& state) {
-    if (loaded.grains) profile_record.take(state.strain.shear, *loaded.grains);
+    progress.update(state);
+    if (loaded.grains) profiles.take(state.strain.shear, *loaded.grains);
+    run.checkpoints.border([&] {
+      return Checkpoint{result_of(running, loaded, run, {record.series, profiles.series(), Stop::not_yet}),
+                        progress.share_done(state), loaded.sample->state(),
+                        SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums()},
+                        {}};
+    });
     return true;
   };
   const Stop stop = run_slide(sliding, running.stop, record, hooks);
-  progress.finish(state_text(sliding.state()));
-  return {std::move(record.series), profile_record.series(), stop};
+  progress.finish(sliding.state());
+  return {std::move(record.series), profiles.series(), stop};
+}
+
+Result SlideCase::result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run,
+                            const Records& records) const {
+  Result result{run.provenance, run.configuration, run.configuration_hash, records.series, loaded.metrics};
+  try {
+    for (const Metric& metric : slide_metrics({running, records.series, records.profiles, records.stop, loaded.grains}))
+      if (std::isfinite(metric.value)) result.metrics.push_back(metric);
+  } catch (const std::invalid_argument&) {
+    if (records.stop != Stop::not_yet) throw;  // a record that is not complete may be too short for them
+  }
+  result.provenance.engine = loaded.engine_name;
+  result.provenance.engine_version = loaded.engine_version;
+  result.provenance.seed = seed_;
+  result.provenance.replicate = running.replicate;
+  return result;
 }
 
 void SlideCase::run(const Point& point, const PointRun& run) const {
   const SlidePoint& running = slide(point.name);
   Loaded loaded = load(running, run);
-  const auto [series, profiles, stop] = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
-  Result result{run.provenance, run.configuration, run.configuration_hash, series, loaded.metrics};
-  for (const Metric& metric : slide_metrics({running, series, profiles, stop, loaded.grains}))
-    if (std::isfinite(metric.value)) result.metrics.push_back(metric);
-  result.provenance.engine = loaded.engine_name;
-  result.provenance.engine_version = loaded.engine_version;
-  result.provenance.seed = seed_;
-  result.provenance.replicate = running.replicate;
-  on_first_rank([&] {
-    Table table = table_of(result);
-    write_table(run.output.file(point.name + ".dat"), table);
-    table.series = profiles;
-    if (!profiles.columns.empty()) write_table(run.output.file(point.name + "_profiles.dat"), table);
-    write_result(run.output.file(point.name + ".h5"), result);
-  });
+  run.checkpoints.check_engine(loaded.engine_name, loaded.engine_version);
+  const Records records = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
+  const Result result = result_of(running, loaded, run, records);
+  on_first_rank([&] { write_point(run.output, point.name, result, records.profiles); });
 }
 
 Ensembles SlideCase::results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const {

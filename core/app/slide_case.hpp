@@ -65,6 +65,8 @@ class SlideCase : public Case {
   Loaded load(const SlidePoint& slide, const PointRun& run) const;
   Records shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
   Records slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
+  /// What is written of records, complete or not.
+  Result result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run, const Records& records) const;
 
   CaseDescription description_;
   std::filesystem::path folder_;

@@ -91,10 +91,9 @@ Series slide_series() {
 Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const SlideHooks& hooks) {
   validate(conditions);
   const SlideState& state = slide.state();
-  double next_time = 0.0, next_strain = 0.0;
   const auto mark = [&] {
-    next_time = next_multiple(state.time, record.spacing.interval);
-    next_strain = next_multiple(std::max(state.strain.shear, 0.0), record.spacing.strain);
+    record.next_time = next_multiple(state.time, record.spacing.interval);
+    record.next_strain = next_multiple(std::max(state.strain.shear, 0.0), record.spacing.strain);
   };
   const auto take_row = [&] {
     if (static_cast<std::int64_t>(record.series.rows()) >= record.spacing.most_rows) thin_out(record);
@@ -103,7 +102,6 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
     if (hooks.row) hooks.row(slide, record.series);
   };
   if (record.series.rows() == 0) take_row();
-  mark();
   for (;;) {
     const Stop stop = stop_of(state, conditions, slide.settings().time_step);
     if (stop != Stop::not_yet) {
@@ -111,7 +109,7 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
       return stop;
     }
     slide.step();
-    if (state.time >= next_time || state.strain.shear >= next_strain) take_row();
+    if (state.time >= record.next_time || state.strain.shear >= record.next_strain) take_row();
     if (hooks.go_on && !hooks.go_on(state)) return Stop::not_yet;
   }
 }

@@ -26,6 +26,8 @@ struct SlideRecord {
   RowSpacing spacing{};              ///< as it is now
   GrainScale grains{};               ///< of the inertial number
   Series series = slide_series();
+  double next_time = 0.0;            ///< where the next row is due, s
+  double next_strain = 0.0;          ///< or here
 };
 
 /// What a caller may add to a run.

@@ -42,6 +42,13 @@ std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   return lock;
 }
 
+bool FileLock::is_held(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const FileLock looking(descriptor);
+  return !take(descriptor, LOCK_SH | LOCK_NB);
+}
+
 FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {

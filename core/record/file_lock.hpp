@@ -14,6 +14,9 @@ class FileLock {
   /// The lock if nobody holds it, empty otherwise.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
+  /// Whether another process holds it now; makes no file.
+  static bool is_held(const std::filesystem::path& path);
+
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();

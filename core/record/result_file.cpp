@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "record/hdf5.hpp"
 #include "record/sealed_file.hpp"
 #include "record/series_group.hpp"
 
@@ -51,18 +50,23 @@ hdf5::File open_result(const std::filesystem::path& path) {
 
 void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists) {
   auto file = hdf5::File::create(path.string());
-  auto& root = file.root();
+  write_result(file.root(), result);
+  write_sealed(path, file.image(), if_exists);
+}
+
+void write_result(hdf5::Group& root, const Result& result) {
   for_each_member(result.provenance, [&](const char* name, const auto& value) { root.set_attribute(name, value); });
   root.set_attribute("configuration_hash", result.configuration_hash);
   root.write_text("configuration", result.configuration).set_attribute("hash", result.configuration_hash);
   write_series(root, "series", result.series);
   write_metrics(root, "metrics", result.metrics);
-  write_sealed(path, file.image(), if_exists);
 }
 
 Result read_result(const std::filesystem::path& path) {
-  const auto file = open_result(path);
-  const auto& root = file.root();
+  return read_result(open_result(path).root());
+}
+
+Result read_result(const hdf5::Group& root) {
   Result result;
   for_each_member(result.provenance, ReadMember{root});
   result.configuration_hash = root.text_attribute("configuration_hash");

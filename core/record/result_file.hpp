@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "record/atomic_file.hpp"
+#include "record/hdf5.hpp"
 #include "record/provenance.hpp"
 #include "record/series.hpp"
 
@@ -31,6 +32,10 @@ void write_result(const std::filesystem::path& path, const Result& result, IfExi
 
 /// Throws FileError if the file is missing, CorruptFileError if it is not, whole and unaltered, what write_result made.
 Result read_result(const std::filesystem::path& path);
+
+/// The same as parts of a file that holds more, below its root.
+void write_result(hdf5::Group& root, const Result& result);
+Result read_result(const hdf5::Group& root);
 
 /// True if `path` holds a whole, unaltered result of that configuration. A missing or damaged file is not complete.
 bool is_complete(const std::filesystem::path& path, const std::string& configuration_hash);

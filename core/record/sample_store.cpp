@@ -86,6 +86,10 @@ FileLock SampleStore::lock(const std::string& key) const {
   return FileLock(path(key).replace_extension(".lock"));
 }
 
+std::optional<FileLock> SampleStore::try_lock(const std::string& key) const {
+  return FileLock::try_lock(path(key).replace_extension(".lock"));
+}
+
 StoredSample SampleStore::find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const {
   if (auto sample = find(key)) return *std::move(sample);
   const auto held = lock(key);

@@ -35,6 +35,8 @@ class SampleStore {
   void put(const std::string& key, const StoredSample& sample) const;
   /// Waits until no other process holds the lock of `key`.
   FileLock lock(const std::string& key) const;
+  /// The lock, or empty if another process holds it.
+  std::optional<FileLock> try_lock(const std::string& key) const;
   /// The sample, prepared by `prepare` and kept if there is none. Two processes that need the same one prepare it once.
   StoredSample find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const;
   /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.

@@ -66,6 +66,21 @@ CellStress CriticalStateSample::stress() const {
   return {normal_stress_, stress_ratio_ * normal_stress_, 0.0, normal_stress_, normal_stress_};
 }
 
+SampleState CriticalStateSample::state() const {
+  return {{{"normal_stress", normal_stress_},
+           {"stress_ratio", stress_ratio_},
+           {"void_ratio", void_ratio_},
+           {"shear_strain", shear_strain_}},
+          {}};
+}
+
+void CriticalStateSample::restore(const SampleState& state) {
+  normal_stress_ = state.number("normal_stress");
+  stress_ratio_ = state.number("stress_ratio");
+  void_ratio_ = state.number("void_ratio");
+  shear_strain_ = state.number("shear_strain");
+}
+
 void CriticalStateSample::substep(double shear, double compression) {
   // Written for tau >= 0 and stresses over sigma; turned round when the sample bears shear upslope.
   const bool upslope = stress_ratio_ < 0.0 || (stress_ratio_ == 0.0 && shear < 0.0);

@@ -47,6 +47,8 @@ class CriticalStateSample : public Sample {
   double mean_stress() const override { return stress().mean(); }
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override { return void_ratio_; }
+  SampleState state() const override;
+  void restore(const SampleState& state) override;
 
   /// psi now: positive when looser than the critical state.
   double state_parameter() const;

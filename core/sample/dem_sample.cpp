@@ -2,13 +2,38 @@
 #include "sample/dem_sample.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
+#include <utility>
 
 #include "grains/bulk_mean_stress.hpp"
 #include "sample/health.hpp"
 
 namespace flowslide {
+namespace {
+
+constexpr std::array stress_parts{std::pair{"normal_stress", &CellStress::normal},
+                                  std::pair{"shear_stress", &CellStress::shear},
+                                  std::pair{"transverse_stress", &CellStress::transverse},
+                                  std::pair{"lateral_stress_x", &CellStress::lateral_x},
+                                  std::pair{"lateral_stress_y", &CellStress::lateral_y}};
+
+/// By how much the stress of one prepared sample may differ between numbers of ranks, which sum in another order.
+constexpr double rounding_of_sums = 1e-9;
+
+void add(std::map<std::string, double>& numbers, const std::string& prefix, const CellStress& stress) {
+  for (const auto& [name, part] : stress_parts) numbers[prefix + name] = stress.*part;
+}
+
+CellStress stress_in(const SampleState& state, const std::string& prefix) {
+  CellStress stress;
+  for (const auto& [name, part] : stress_parts) stress.*part = state.number(prefix + name);
+  return stress;
+}
+
+}  // namespace
 
 DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings)
     : engine_(engine),
@@ -20,7 +45,7 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
       throw std::invalid_argument("the sample has no glued layer to shear it by; prepare it with prepare_sample");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
   engine_.load(assembly, settings);
-  stress_ = engine_.cell_stress();
+  stress_ = prepared_ = engine_.cell_stress();
 }
 
 void DemSample::start_linear_velocity_field(double shear_rate) {
@@ -68,6 +93,39 @@ double DemSample::mean_stress() const {
 }
 
 double DemSample::void_ratio() const { return engine_.cell().volume() / solid_volume_ - 1.0; }
+
+SampleState DemSample::state() const {
+  SampleState state;
+  state.grains = engine_.save();
+  state.numbers = {{"shear_strain", shear_strain_},
+                   {"time", time_},
+                   {"steps", static_cast<double>(steps_)},
+                   {"time_step", engine_.settings().time_step},
+                   {"processor_seconds", processor_seconds()}};
+  add(state.numbers, "", stress_);
+  add(state.numbers, "prepared_", prepared_);
+  return state;
+}
+
+void DemSample::restore(const SampleState& state) {
+  const CellStress prepared = stress_in(state, "prepared_");
+  bool same = state.grains && state.grains->size() == grains_;
+  for (const auto& [name, part] : stress_parts)
+    same = same && std::abs(prepared.*part - prepared_.*part) <= rounding_of_sums * std::abs(prepared_.normal);
+  if (!same)
+    throw std::invalid_argument(
+        "the state is that of another sample: its grains or the stress that it was prepared to are not those of the "
+        "sample in the cache");
+  EngineSettings settings = engine_.settings();
+  settings.time_step = state.number("time_step");
+  validate_time_step(settings.time_step, smallest_radius_, settings.material);
+  engine_.load(*state.grains, settings);
+  shear_strain_ = state.number("shear_strain");
+  time_ = state.number("time");
+  steps_ = state.count("steps");
+  clock_ticks_ = static_cast<std::clock_t>(std::max(0.0, state.number("processor_seconds")) * CLOCKS_PER_SEC);
+  stress_ = stress_in(state, "");  // an engine that has not made a step yet may round it differently
+}
 
 Assembly DemSample::assembly() const {
   Assembly assembly = engine_.save();

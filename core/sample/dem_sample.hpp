@@ -29,6 +29,10 @@ class DemSample : public Sample {
   double mean_stress() const override;
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override;
+  /// Grains with their histories, clocks, stress, and the stress that the sample was prepared to.
+  SampleState state() const override;
+  /// For a sample that has just been loaded from the same prepared assembly.
+  void restore(const SampleState& state) override;
 
   double time() const { return time_; }       ///< local clock, s
   std::int64_t steps() const { return steps_; }  ///< since the sample was loaded
@@ -47,6 +51,7 @@ class DemSample : public Sample {
   double solid_volume_;
   double smallest_radius_;
   bool linear_at_first_strain_ = false;
+  CellStress prepared_;
   double shear_strain_ = 0.0;
   double time_ = 0.0;
   std::int64_t steps_ = 0;

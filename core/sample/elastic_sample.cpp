@@ -33,4 +33,19 @@ CellStress ElasticSample::stress() const {
   return {normal, shear, 0.0, normal, normal};
 }
 
+SampleState ElasticSample::state() const {
+  return {{{"shear_strain", shear_strain_},
+           {"compression", compression_},
+           {"shear_rate", shear_rate_},
+           {"void_ratio", void_ratio_}},
+          {}};
+}
+
+void ElasticSample::restore(const SampleState& state) {
+  shear_strain_ = state.number("shear_strain");
+  compression_ = state.number("compression");
+  shear_rate_ = state.number("shear_rate");
+  void_ratio_ = state.number("void_ratio");
+}
+
 }  // namespace flowslide

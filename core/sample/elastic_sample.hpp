@@ -27,6 +27,8 @@ class ElasticSample : public Sample {
   double mean_stress() const override { return stress().mean(); }
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override { return void_ratio_; }
+  SampleState state() const override;
+  void restore(const SampleState& state) override;
 
  private:
   ElasticProperties properties_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "dem/engine.hpp"
+#include "sample/sample_state.hpp"
 
 namespace flowslide {
 
@@ -36,6 +37,12 @@ class Sample {
   virtual double mean_stress() const = 0;
   virtual double shear_strain() const = 0;  ///< gamma since the sample was prepared
   virtual double void_ratio() const = 0;
+
+  /// Where it stands, to be kept. Collective over the ranks that share the sample.
+  virtual SampleState state() const = 0;
+  /// Goes on from there: for a new sample of the same properties. Throws std::invalid_argument if the state is that of
+  /// another sample.
+  virtual void restore(const SampleState& state) = 0;
 };
 
 }  // namespace flowslide

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/command_line.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "app/error.hpp"
@@ -107,7 +108,7 @@ TEST(CommandLine, RefusesOptionsThatExcludeEachOther) {
   EXPECT_CONTAINS(complaint({"--dry-run", "--check"}), "--check");
   EXPECT_CONTAINS(complaint({"--list", "--check"}), "--check");
   EXPECT_CONTAINS(complaint({"--prepare", "--check"}), "--prepare");
-  EXPECT_CONTAINS(complaint({"--json"}), "--json needs --list or --check");
+  EXPECT_CONTAINS(complaint({"--json"}), "--json needs --list, --status or --check");
 }
 
 TEST(CommandLine, HelpNamesEveryOptionWithExamplesAndExitCodes) {
@@ -132,6 +133,11 @@ TEST(CommandLine, HelpNamesEveryOptionWithExamplesAndExitCodes) {
                            "--help",
                            "What to run",
                            "Instead of a run",
+                           "Long runs",
+                           "--resume",
+                           "--afresh",
+                           "--max-walltime",
+                           "--status",
                            "Examples:",
                            "Exit codes:",
                            "2 configuration",
@@ -156,6 +162,26 @@ TEST(SelectedPoints, RefuseAnUnknownName) {
                     selected_points(read({"--point", "loos"}), {"loose", "dense"});
                   }),
                   "--point: \"loos\" is not there; it must be \"loose\" or \"dense\"; did you mean \"loose\"?");
+}
+
+TEST(CommandLine, ReadsHowLongARunMayTake) {
+  EXPECT_EQ(read({}).checkpoint_interval, 180.0);
+  EXPECT_TRUE(std::isinf(read({}).max_walltime));
+  EXPECT_EQ(read({"--checkpoint-interval", "30 s"}).checkpoint_interval, 30.0);
+  EXPECT_EQ(read({"--max-walltime", "1.5 h"}).max_walltime, 5400.0);
+  EXPECT_EQ(read({"--max-walltime", "90"}).max_walltime, 90.0);
+  EXPECT_CONTAINS(complaint({"--max-walltime", "2 kPa"}), "--max-walltime: ");
+  EXPECT_CONTAINS(complaint({"--max-walltime", "0"}), "is not above 0; write, for example, --max-walltime \"90 min\"");
+  EXPECT_CONTAINS(complaint({"--checkpoint-interval", "inf"}), "--checkpoint-interval: ");
+}
+
+TEST(CommandLine, ReadsWhetherToGoOn) {
+  EXPECT_FALSE(read({}).resume || read({}).afresh);
+  EXPECT_TRUE(read({"--resume"}).resume);
+  EXPECT_TRUE(read({"--afresh"}).afresh);
+  EXPECT_CONTAINS(complaint({"--resume", "--afresh"}), "excludes");
+  EXPECT_CONTAINS(complaint({"--status", "--list"}), "exclude each other");
+  EXPECT_TRUE(read({"--status", "--json"}).json);
 }
 
 }  // namespace

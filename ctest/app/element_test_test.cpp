@@ -139,6 +139,39 @@ TEST_F(RecordOfALattice, HasAFiniteInertialNumberOfTheBulk) {
   }
 }
 
+TEST(ElementTestRecord, GoesOnFromAnyRowWithTheSameBits) {
+  const auto start = [](Engine& engine) {
+    return DemSample(engine, touching_lattice(), {Material{}, time_step, 0.0});
+  };
+  const ElementTest test{5.0, 5.0 * 200 * time_step, 10};
+  const auto engine = make_engine("native", "/dev/null");
+  DemSample whole = start(*engine);
+  const Series expected = run_element_test(whole, test);
+  for (const std::size_t stop : {1U, 4U, 10U}) {
+    struct Enough {};
+    DemSample first = start(*engine);
+    Series rows;
+    SampleState state;
+    try {
+      run_element_test(first, test, [&](std::int64_t, const Assembly&, const Series& so_far) {
+        if (so_far.rows() < stop) return;
+        rows = so_far;
+        state = first.state();
+        throw Enough{};
+      });
+    } catch (const Enough&) {
+    }
+    ASSERT_EQ(rows.rows(), stop);
+    const auto other = make_engine("native", "/dev/null");
+    DemSample second = start(*other);
+    second.restore(state);
+    const Series series = run_element_test(second, test, {}, rows);
+    EXPECT_EQ(series.axis.values, expected.axis.values);
+    for (std::size_t i = 0; i < series.columns.size(); ++i)
+      EXPECT_EQ(series.columns[i].values, expected.columns[i].values) << stop << ", " << series.columns[i].name;
+  }
+}
+
 TEST(ElementTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
   Assembly gas = touching_lattice();
   for (double& radius : gas.radius) radius *= 0.9;

@@ -85,12 +85,13 @@ TEST(OutputFolder, RefusesAPointOfAnotherConfiguration) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path(), "fig03");
   EXPECT_EQ(folder.hash_of("loose"), "");
-  folder.begin_point("loose", "abc");
-  EXPECT_NO_THROW(folder.begin_point("loose", "abc"));
-  EXPECT_NO_THROW(folder.begin_point("dense", "def"));
+  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", "mu = 1\n"); });
+  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", "mu = 1\n"); });
+  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("dense", "def", "mu = 2\n"); });
   EXPECT_EQ(folder.hash_of("loose"), "abc");
-  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { folder.begin_point("loose", "xyz"); }),
-                  "holds the point \"loose\" of another configuration (hash abc, now xyz)");
+  EXPECT_CONTAINS(
+      message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "xyz", "mu = 3\n"); }),
+      "holds the point \"loose\" of another configuration (hash abc, now xyz: mu = 1 there, 3 now)");
   EXPECT_EQ(OutputFolder::open(scratch.path(), "fig03").hash_of("loose"), "abc");
 }
 
@@ -98,8 +99,33 @@ TEST(OutputFolder, RefusesPointNamesThatLeaveTheFolder) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path() / "a", "fig03");
   for (const std::string name : {"", "../../x", "a/b", "a b"})
-    EXPECT_THROW(folder.begin_point(name, "abc"), std::invalid_argument) << name;
+    EXPECT_THROW({ const FileLock lock = folder.begin_point(name, "abc", ""); }, std::invalid_argument) << name;
   EXPECT_FALSE(fs::exists(scratch.path() / "x.hash"));
+}
+
+TEST(OutputFolder, LetsOneProcessRunAPoint) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path(), "fig03");
+  {
+    const FileLock held = folder.begin_point("loose", "abc", "");
+    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "abc", ""); }),
+                    "is in use: another process runs the point \"loose\" there");
+    EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("dense", "abc", ""); });
+  }
+  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", ""); });
+}
+
+TEST(OutputFolder, RemovesWhatAKilledProcessLeftOfThatPoint) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path(), "fig03");
+  for (const char* name : {".loose.h5.12.0.partial", ".loose_profiles.dat.12.0.partial", ".loose_r2.h5.12.0.partial",
+                           ".flowslide/.loose.checkpoint_0.h5.12.0.partial"})
+    scratch.write(name, "half");
+  const FileLock lock = folder.begin_point("loose", "abc", "");
+  EXPECT_FALSE(fs::exists(folder.file(".loose.h5.12.0.partial")));
+  EXPECT_FALSE(fs::exists(folder.file(".loose_profiles.dat.12.0.partial")));
+  EXPECT_FALSE(fs::exists(folder.file(".flowslide/.loose.checkpoint_0.h5.12.0.partial")));
+  EXPECT_TRUE(fs::exists(folder.file(".loose_r2.h5.12.0.partial")));  // another point's, which may be running
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/profile_record.hpp"
 
+#include <algorithm>
+
 #include "app/error.hpp"
 #include "app/messages.hpp"
 #include "dem/make_engine.hpp"
@@ -65,6 +67,31 @@ TEST_F(ProfileRecordOfGrains, TakesSnapshotsWhenTheyAreDue) {
   ASSERT_EQ(series.columns.size(), 6U);
   EXPECT_EQ(series.axis.values, (std::vector{0.5 / 3.0, 1.5 / 3.0, 2.5 / 3.0}));
   EXPECT_EQ(series.columns[3].name, "velocity_2");
+}
+
+TEST_F(ProfileRecordOfGrains, GoesOnFromWhatItHad) {
+  const ProfilePlan plan{3, 2, 1.0, {0.1, 0.5}};
+  for (const std::vector<double> before : {std::vector<double>{}, {0.12}, {0.12, 0.2}, {0.12, 0.2, 0.6}}) {
+    ProfileRecord whole(plan), first(plan), second(plan);
+    for (const double strain : before) first.take(strain, *sample_);
+    second.restore(first.sums());
+    for (const double strain : {0.12, 0.2, 0.6, 0.8}) {
+      whole.take(strain, *sample_);
+      if (std::find(before.begin(), before.end(), strain) == before.end()) second.take(strain, *sample_);
+    }
+    ASSERT_EQ(second.series().columns.size(), 6U);
+    for (std::size_t i = 0; i < 6; ++i)
+      EXPECT_EQ(second.series().columns[i].values, whole.series().columns[i].values) << before.size();
+  }
+}
+
+TEST_F(ProfileRecordOfGrains, RefusesSumsOfAnotherPlan) {
+  ProfileRecord record({3, 2, 1.0, {0.1, 0.5}});
+  record.take(0.12, *sample_);
+  const std::vector<ProfileSums> sums = record.sums();
+  EXPECT_THROW(ProfileRecord({4, 2, 1.0, {0.1}}).restore(sums), std::invalid_argument);
+  EXPECT_THROW(ProfileRecord({3, 2, 1.0, {}}).restore(sums), std::invalid_argument);
+  EXPECT_THROW(ProfileRecord({3, 2, 1.0, {0.1, 0.5}}).restore({sums[0], sums[0]}), std::invalid_argument);
 }
 
 TEST_F(ProfileRecordOfGrains, GivesVelocityAsAShareOfTheTop) {

@@ -154,6 +154,25 @@ TEST(RunSlide, GoesOnWhereItWasInterruptedAsIfItHadNotBeen) {
   EXPECT_EQ(record.series.column("shear_stress").values, other_record.series.column("shear_stress").values);
 }
 
+TEST(RunSlide, KeepsWhereItsRowsAreDueWhenTheStrainRunsBack) {
+  // A swing: between two rows the strain falls below the last of them, and no row may be taken twice.
+  const auto swing = [] {
+    SlideSettings settings = pulsed();
+    settings.initial_velocity = 0.05;
+    return settings;
+  };
+  ElasticSample sample = elastic(), other_sample = elastic();
+  Slide slide(swing(), sample), other(swing(), other_sample);
+  const RowSpacing spacing{.strain = 1e-4};
+  SlideRecord record{.spacing = spacing}, other_record{.spacing = spacing};
+  run_slide(slide, {0.1}, record);
+  for (int at = 0; run_slide(other, {0.1}, other_record, {{}, [&](const SlideState&) { return ++at % 7 != 0; }}) ==
+                   Stop::not_yet;) {
+  }
+  EXPECT_GT(record.series.rows(), 10U);
+  EXPECT_EQ(record.series.axis.values, other_record.series.axis.values);
+}
+
 TEST(RunSlide, StopsWhenTheSlideHasStopped) {
   ElasticSample sample = elastic();
   SlideSettings settings = pulsed();

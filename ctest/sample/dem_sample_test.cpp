@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dem/make_engine.hpp"
+#include "dem/native/native_engine.hpp"
 #include "grains/bulk_mean_stress.hpp"
 #include "grains/measures.hpp"
 #include "support/touching_lattice.hpp"
@@ -97,6 +98,55 @@ TEST_F(DemSampleTest, TheLinearVelocityFieldMayWaitForTheFirstStrain) {
   waiting.start_linear_at_first_strain();
   waiting.strain({{3.0, 0.0}, 20, step});
   EXPECT_EQ(waiting.strain({{1.0, 0.0}, 20, step}).shear, expected);  // and the second strain starts nothing
+}
+
+/// The same exchanges, once as a whole and once from a state that was stored after some of them.
+class DemSampleGoesOn : public testing::Test {
+ protected:
+  static void strain(Sample& sample, int from, int to) {
+    for (int i = from; i < to; ++i)
+      sample.strain({{3.0 + i, 0.1 * i}, 20 + i, (i % 2 ? 1.0 : 0.7) * step});
+  }
+  static DemSample sample_on(Engine& engine) {
+    return DemSample(engine, touching_lattice(), {Material{}, step, 0.0});
+  }
+};
+
+TEST_F(DemSampleGoesOn, WithTheSameBitsOnAnyNumberOfThreads) {
+  for (const int threads : {1, 3}) {
+    NativeEngine<double> engine({.threads = 1}), others({.threads = threads, .first_allowance = 0.01});
+    DemSample whole = sample_on(engine);
+    strain(whole, 0, 5);
+    const SampleState state = whole.state();
+    strain(whole, 5, 12);
+    DemSample second = sample_on(others);
+    second.restore(state);
+    EXPECT_EQ(second.steps(), static_cast<std::int64_t>(state.number("steps")));
+    strain(second, 5, 12);
+    const SampleState expected = whole.state(), reached = second.state();
+    EXPECT_EQ(reached.numbers, expected.numbers);
+    for (std::size_t i = 0; i < expected.grains->size(); ++i) {
+      EXPECT_EQ(reached.grains->position[i], expected.grains->position[i]);
+      EXPECT_EQ(reached.grains->velocity[i], expected.grains->velocity[i]);
+    }
+  }
+}
+
+TEST_F(DemSampleGoesOn, ButNotFromTheStateOfAnother) {
+  NativeEngine<double> engine({.threads = 1});
+  DemSample sample = sample_on(engine);
+  const SampleState state = sample.state();
+  const auto refuse = [&](auto&& spoil) {
+    SampleState other = state;
+    spoil(other);
+    EXPECT_THROW(sample.restore(other), std::invalid_argument);
+  };
+  refuse([](SampleState& s) { s.grains.reset(); });
+  refuse([](SampleState& s) { s.grains->resize(s.grains->size() + 1); });
+  refuse([](SampleState& s) { s.numbers["prepared_normal_stress"] += 1.0; });
+  refuse([](SampleState& s) { s.numbers["time_step"] = 1.0; });
+  refuse([](SampleState& s) { s.numbers["steps"] = 0.5; });
+  refuse([](SampleState& s) { s.numbers.erase("time"); });
 }
 
 }  // namespace

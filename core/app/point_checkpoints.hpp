@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/checkpoint.hpp"
+#include "app/run_control.hpp"
+#include "record/checkpoint_store.hpp"
+
+namespace flowslide {
+
+/// Keeps where one point stands while it runs, and lets it go on from there. All calls but end() are collective over
+/// the MPI ranks.
+class PointCheckpoints {
+ public:
+  /// Reads what there is to go on from; damaged files are told on stderr and the one before is used. Throws
+  /// ConfigurationError, with the difference, if it is of another configuration, and CorruptFileError if there are
+  /// checkpoints and none can be used.
+  PointCheckpoints(CheckpointStore store, RunControl& control, const std::string& configuration);
+
+  /// What to go on from; empty at the beginning.
+  const std::optional<Checkpoint>& found() const { return found_; }
+  /// Throws ConfigurationError if what was found is of another engine or another version of it: it would go on with
+  /// other bits.
+  void check_engine(const std::string& name, const std::string& version) const;
+
+  /// At each border between exchanges: keeps what `now` says if that is due, and throws Stopped if the run is to stop.
+  /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that is
+  /// a FileError.
+  void border(const std::function<Checkpoint()>& now);
+  /// The same where nothing can be kept, such as in a preparation.
+  void border_of_preparation();
+
+ private:
+  void keep(const Checkpoint& checkpoint, bool stopping);
+  std::string label() const;
+
+  CheckpointStore store_;
+  RunControl& control_;
+  std::optional<Checkpoint> found_;
+};
+
+/// Where a checkpoint stands, for people: "t = 0.52 s, v = 1.2 m/s, sigma = 340 Pa".
+std::string place_of(const Checkpoint& checkpoint);
+
+}  // namespace flowslide

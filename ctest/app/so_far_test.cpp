@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/so_far.hpp"
+
+#include "app/error.hpp"
+#include "app/example_checkpoint.hpp"
+#include "app/messages.hpp"
+#include "app/point_checkpoints.hpp"
+#include "record/gnuplot_table.hpp"
+#include "record/same_bits.hpp"
+
+namespace flowslide {
+namespace {
+
+TEST(SoFar, HasWhatIsCompleteAndWhatIsKept) {
+  const ScratchFolder scratch;
+  const OutputFolder output = OutputFolder::open(scratch.path() / "out", "fig12");
+  const OutputFolder copy = OutputFolder::open(scratch.path() / "copy", "fig12");
+  const std::vector<std::string> points{"RD", "RI", "RX"};
+  EXPECT_THROW(copy_so_far(output, copy, points), ConfigurationError);
+
+  write_result(output.file("RD.h5"), example_result());
+  write_table(output.file("RD.dat"), table_of(example_result()));
+  output.checkpoints("RI").put([](hdf5::Group& root) { write_checkpoint(root, example_checkpoint()); });
+  for (int time = 0; time < 2; ++time)  // again and again
+    EXPECT_EQ(copy_so_far(output, copy, points),
+              "RD: complete\nRI: so far at " + place_of(example_checkpoint()) + "\nRX: nothing yet\n");
+  expect_same_bits(read_result(copy.file("RI.h5")).series, example_checkpoint().so_far.series);
+  expect_same_bits(read_table(copy.file("RI.dat")).series, example_checkpoint().so_far.series);
+  EXPECT_EQ(content_of(copy.file("RD.dat")), content_of(output.file("RD.dat")));
+  EXPECT_FALSE(std::filesystem::exists(output.file("RI.h5")));
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "app/status.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "app/example_checkpoint.hpp"
+#include "app/messages.hpp"
+#include "record/damage.hpp"
+
+namespace flowslide {
+namespace {
+
+class StatusTest : public testing::Test {
+ protected:
+  StatusTest() {
+    const FileLock lock = output_.begin_point("RD", "abc123", "seed = 7\n");
+  }
+  void keep() {
+    output_.checkpoints("RD").put([](hdf5::Group& root) { write_checkpoint(root, example_checkpoint()); });
+  }
+  ScratchFolder scratch_;
+  OutputFolder output_ = OutputFolder::open(scratch_.path() / "out", "fig12");
+};
+
+TEST_F(StatusTest, TellsWhatIsBegunAndWhatIsNot) {
+  EXPECT_EQ(status_of(output_, "RI").state, "not begun");
+  EXPECT_EQ(status_of(output_, "RD").state, "begun");
+  EXPECT_EQ(status_of(output_, "RD").place, "");
+}
+
+TEST_F(StatusTest, TellsWhereAStoppedRunStands) {
+  keep();
+  const PointStatus status = status_of(output_, "RD");
+  EXPECT_EQ(status.state, "stopped");
+  EXPECT_EQ(status.share_done, 0.375);
+  EXPECT_CONTAINS(status.place, "t = 0.3031 s, v = ");
+  EXPECT_LT(status.age, 60.0);
+  for (const int place : {0, 1}) overwrite(output_.checkpoints("RD").path(place), "x");
+  EXPECT_EQ(status_of(output_, "RD").place, "its checkpoints are damaged");
+}
+
+TEST_F(StatusTest, TellsWhatRuns) {
+  int ready[2], over[2];
+  ASSERT_EQ(::pipe(ready) + ::pipe(over), 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const int lock = ::open(output_.lock_path("RD").c_str(), O_RDWR);
+    ::flock(lock, LOCK_EX);
+    char byte = 0;
+    if (::write(ready[1], &byte, 1) == 1 && ::read(over[0], &byte, 1) == 1) ::_exit(0);
+    ::_exit(1);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_EQ(status_of(output_, "RD").state, "running");
+  ASSERT_EQ(::write(over[1], &byte, 1), 1);
+  ::waitpid(other, nullptr, 0);
+  EXPECT_EQ(status_of(output_, "RD").state, "begun");
+}
+
+TEST_F(StatusTest, TellsWhatIsComplete) {
+  Result result = example_result();
+  write_result(output_.file("RD.h5"), result);
+  EXPECT_EQ(status_of(output_, "RD").state, "complete");
+  EXPECT_EQ(status_of(output_, "RD").share_done, 1.0);
+  overwrite(output_.file("RD.h5"), "torn");
+  EXPECT_EQ(status_of(output_, "RD").state, "damaged");
+}
+
+TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {
+  const std::vector<PointStatus> points{{"RD", "running", "t = 0.5 s", 0.42, 12.0}, {"RI_long", "not begun", "", 0, 0}};
+  EXPECT_EQ(status_table(points),
+            "point    state       done   kept before  at its last checkpoint\n"
+            "RD       running     42 %          12 s  t = 0.5 s\n"
+            "RI_long  not begun    0 %             -  -\n");
+  EXPECT_EQ(status_json(points),
+            "{\"points\": [\n  {\"name\": \"RD\", \"state\": \"running\", \"share_done\": 0.420, \"checkpoint_age\": 12.0, "
+            "\"place\": \"t = 0.5 s\"},\n  {\"name\": \"RI_long\", \"state\": \"not begun\", \"share_done\": 0.000, "
+            "\"checkpoint_age\": 0.0, \"place\": \"\"}\n]}\n");
+}
+
+}  // namespace
+}  // namespace flowslide

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Runs of the program `restartable` as processes that can be signalled, and what they leave.
+#pragma once
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/messages.hpp"
+#include "app/slide_case_text.hpp"
+#include "record/result_file.hpp"
+#include "record/same_bits.hpp"
+
+namespace flowslide {
+
+using Words = std::vector<std::string>;
+
+/// One process. What it says goes to a file.
+class Process {
+ public:
+  /// `prepare` is called in the child before the program takes its place.
+  Process(const Words& words, const std::filesystem::path& said, const std::function<void()>& prepare = {})
+      : said_(said) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    child_ = ::fork();
+    if (child_ != 0) return;
+    const int file = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
+    if (prepare) prepare();
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  ~Process() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void signal(int number) const { ::kill(child_, number); }
+  /// The exit code, or 128 and the signal that ended it.
+  int wait() {
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    child_ = -1;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  }
+  std::string said() const { return content_of(said_); }
+
+ private:
+  std::filesystem::path said_;
+  pid_t child_ = -1;
+};
+
+/// A case in a scratch folder, and runs of it.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest() {
+    scratch_.write("case.toml", slide_case_text() + R"([point.alone]
+figures = "12"
+sample = "loose"
+shear_rate = "5 1/s"
+final_strain = 0.5
+[element_test]
+rows = 300
+[scale.quick]
+replicates = 1
+rows.row_interval = "5 ms"
+rows.row_strain = 0.01
+rows.most_rows = 400
+stop.end_time = "0.5 s"
+coupling.initial_velocity = 0.5
+point.RD.profile_strains = [0.05, 0.4]
+)");
+    scratch_.write("claims.toml", "");
+    ::setenv("RESTARTABLE_CASE", scratch_.path().c_str(), 1);
+    ::setenv("FLOWSLIDE_CACHE", cache().c_str(), 1);
+  }
+  /// Samples are the same for all tests: prepared once.
+  static std::filesystem::path cache() { return std::filesystem::path(RESTARTABLE_CACHE); }
+  std::filesystem::path out(const std::string& name) const { return scratch_.path() / name; }
+
+  Words command(const std::string& folder, const Words& options) const {
+    Words words{RESTARTABLE_PROGRAM, "--output", out(folder).string(), "--checkpoint-interval", "10 ms"};
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  }
+  int run(const std::string& folder, const Words& options, const std::function<void()>& prepare = {}) {
+    Process process(command(folder, options), scratch_.path() / "said", prepare);
+    const int code = process.wait();
+    said_ = process.said();
+    return code;
+  }
+  /// Starts a run and waits until it has kept a checkpoint.
+  std::unique_ptr<Process> start(const std::string& folder, const std::string& point, const Words& options) {
+    auto process = std::make_unique<Process>(command(folder, options), scratch_.path() / (folder + ".said"));
+    const auto checkpoint = out(folder) / ".flowslide" / (point + ".checkpoint_1.h5");
+    for (int i = 0; i < 3000 && !std::filesystem::exists(checkpoint); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return process;
+  }
+  /// All that is data in the files of a point; provenance has times.
+  void expect_same_files(const std::string& point, const std::string& folder, const std::string& expected) const {
+    const Result a = read_result(out(folder) / (point + ".h5")), b = read_result(out(expected) / (point + ".h5"));
+    expect_same_bits(a.series, b.series);
+    EXPECT_EQ(a.configuration, b.configuration);
+    ASSERT_EQ(a.metrics.size(), b.metrics.size());
+    for (std::size_t i = 0; i < a.metrics.size(); ++i) EXPECT_EQ(a.metrics[i].value, b.metrics[i].value) << i;
+    for (const char* end : {".dat", "_profiles.dat"}) {
+      const auto file = out(folder) / (point + end), other = out(expected) / (point + end);
+      ASSERT_EQ(std::filesystem::exists(file), std::filesystem::exists(other)) << end;
+      EXPECT_EQ(content_of(file), content_of(other)) << end;
+    }
+  }
+  /// That nothing is left of checkpoints and half-written files.
+  void expect_nothing_left(const std::string& folder) const {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(out(folder))) {
+      const std::string name = entry.path().filename().string();
+      EXPECT_FALSE(name.ends_with(".partial") || name.find("checkpoint") != std::string::npos) << name;
+    }
+  }
+
+  ScratchFolder scratch_;
+  std::string said_;
+};
+
+}  // namespace flowslide

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Whole programs that are stopped and go on: the same bits as without a stop.
+#include "program.hpp"
+
+namespace flowslide {
+namespace {
+
+class Restart : public ProgramTest {
+ protected:
+  /// A point stopped by each signal in turn until it is over, against one that was not.
+  void expect_same_after_stops(const std::string& point, const Words& options) {
+    Words all{"--point", point};
+    all.insert(all.end(), options.begin(), options.end());
+    ASSERT_EQ(run("whole", all), 0) << said_;
+    int stops = 0;
+    for (const auto& [signal, code] : {std::pair{SIGTERM, 75}, std::pair{SIGUSR1, 75}, std::pair{SIGINT, 130}}) {
+      const auto process = start("stopped", point, all);
+      process->signal(signal);
+      const int ended = process->wait();
+      if (ended == 0) break;
+      ASSERT_EQ(ended, code) << process->said();
+      EXPECT_CONTAINS(process->said(), "the same command goes on from ");
+      ++stops;
+    }
+    EXPECT_GT(stops, 0);
+    Words resumed = all;
+    resumed.push_back("--resume");
+    ASSERT_EQ(run("stopped", resumed), 0) << said_;
+    EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+    expect_same_files(point, "stopped", "whole");
+    expect_nothing_left("stopped");
+  }
+};
+
+TEST_F(Restart, ASlideOnGrainsGoesOnWithTheSameBits) { expect_same_after_stops("RD", {"--engine", "native"}); }
+
+TEST_F(Restart, AnElementTestGoesOnWithTheSameBits) { expect_same_after_stops("alone", {"--engine", "native"}); }
+
+TEST_F(Restart, ASlideOnAClosedFormSampleGoesOnWithTheSameBits) {
+  expect_same_after_stops("RI", {"--set", "stop.end_time=40", "--set", "coupling.time_step=1e-5"});
+}
+
+TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {
+  const Words options{"--engine", "native", "--point", "RD"};
+  ASSERT_EQ(run("whole", options), 0) << said_;
+  Words limited = options;
+  limited.insert(limited.end(), {"--max-walltime", "0.4"});
+  int calls = 1, code = 0;
+  for (; (code = run("limited", limited)) == 75 && calls < 100; ++calls)
+    EXPECT_CONTAINS(said_, "out of the time given by --max-walltime");
+  EXPECT_EQ(code, 0) << said_;
+  EXPECT_GT(calls, 1);
+  expect_same_files("RD", "limited", "whole");
+}
+
+TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
+  const Words options{"--engine", "native", "--point", "RD", "--set", "stop.end_time=1e4"};  // goes on for ever
+  const auto process = start("out", "RD", options);
+  Words status = options;
+  status.push_back("--status");
+  ASSERT_EQ(run("out", status), 0) << said_;
+  EXPECT_CONTAINS(said_, "RD     running");
+  EXPECT_CONTAINS(said_, "m/s, sigma = ");
+  Words so_far = options;
+  so_far.push_back("--so-far");
+  ASSERT_EQ(run("out", so_far), 0) << said_;
+  EXPECT_CONTAINS(said_, "RD: so far at t = ");
+  EXPECT_GT(read_result(out("out") / "so_far" / "RD.h5").series.rows(), 0U);
+  EXPECT_TRUE(std::filesystem::exists(out("out") / "so_far" / "RD_over_time.dat"));
+
+  // Another run of the same point is refused, and disturbs nothing.
+  EXPECT_EQ(run("out", options), 2);
+  EXPECT_CONTAINS(said_, "another process runs the point \"RD\" there");
+  process->signal(SIGTERM);
+  EXPECT_EQ(process->wait(), 75);
+  ASSERT_EQ(run("out", status), 0);
+  EXPECT_CONTAINS(said_, "RD     stopped");
+
+  // Neither is it gone on with by another configuration.
+  EXPECT_EQ(run("out", {"--engine", "native", "--point", "RD", "--set", "stop.end_time=0.1"}), 2);
+  EXPECT_CONTAINS(said_, "stop.end_time = 10000 there, 0.1 now");
+}
+
+TEST_F(Restart, BeginsAnewOnlyWhenTold) {
+  const Words options{"--engine", "native", "--point", "alone"};
+  EXPECT_EQ(run("nowhere", {"--engine", "native", "--point", "alone", "--resume"}), 2);
+  EXPECT_CONTAINS(said_, "is not there: run the case first");
+  EXPECT_FALSE(std::filesystem::exists(out("nowhere")));
+  const auto process = start("out", "alone", options);
+  process->signal(SIGTERM);
+  ASSERT_EQ(process->wait(), 75) << process->said();
+  Words afresh = options;
+  afresh.push_back("--afresh");
+  ASSERT_EQ(run("out", afresh), 0) << said_;
+  EXPECT_EQ(said_.find("goes on from"), std::string::npos) << said_;
+}
+
+TEST_F(Restart, UsesTheCheckpointBeforeADamagedOne) {
+  const Words options{"--engine", "native", "--point", "RD"};
+  ASSERT_EQ(run("whole", options), 0) << said_;
+  const auto process = start("out", "RD", options);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  process->signal(SIGTERM);
+  ASSERT_EQ(process->wait(), 75) << process->said();
+  const auto first = out("out") / ".flowslide" / "RD.checkpoint_0.h5", second = out("out") / ".flowslide" / "RD.checkpoint_1.h5";
+  ASSERT_TRUE(std::filesystem::exists(first));
+  std::filesystem::resize_file(first, std::filesystem::file_size(first) / 2);
+  ASSERT_EQ(run("out", options), 0) << said_;
+  EXPECT_CONTAINS(said_, first.string() + " is truncated");
+  EXPECT_CONTAINS(said_, "goes on from its checkpoint");
+  expect_same_files("RD", "out", "whole");
+}
+
+}  // namespace
+}  // namespace flowslide
