@@ -170,7 +170,7 @@ class CaseProgram {
       throw;
     } catch (const FileError& error) {  // such as a full disk
       const bool kept = !output->checkpoints(point.name).empty();
-      throw FileError(fmt::format("{}{}", error.what(), kept ? "; the same command goes on from its last checkpoint" : ""));
+      throw FileError(error.what() + std::string(kept ? "; the same command goes on from its last checkpoint" : ""));
     }
     on_first_rank([&] { output->checkpoints(point.name).remove(); });
   }

@@ -125,7 +125,8 @@ void check_finite(const Assembly& assembly, const std::string& label) {
   };
   for (std::size_t i = 0; i < assembly.size(); ++i) {
     require(std::isfinite(assembly.radius[i]) && assembly.radius[i] > 0.0, "a radius that is not positive");
-    for (const auto* array : {&assembly.position, &assembly.velocity, &assembly.spin, &assembly.force, &assembly.torque})
+    for (const auto* array :
+         {&assembly.position, &assembly.velocity, &assembly.spin, &assembly.force, &assembly.torque})
       require((*array)[i].allFinite(), "a grain that is not finite");
   }
   for (const ContactHistory& contact : assembly.contacts)

@@ -90,7 +90,8 @@ Series run_element_test(DemSample& sample, const ElementTest& test, const RowObs
   const double time_step = sample.settings().time_step;
   const std::vector<std::int64_t> rows = test.row_steps(time_step);
   if (series.rows() > rows.size())
-    throw std::invalid_argument(fmt::format("an element test of {} rows cannot go on from {}", rows.size(), series.rows()));
+    throw std::invalid_argument(fmt::format("an element test of {} rows cannot go on from {}", rows.size(),
+                                            series.rows()));
   std::int64_t done = series.rows() > 0 ? rows[series.rows() - 1] : 0;
   sample.start_linear_at_first_strain();  // the first row is at rest
   for (std::size_t k = series.rows(); k < rows.size(); ++k) {

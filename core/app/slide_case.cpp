@@ -180,13 +180,15 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
   SlideRecord record{running.rows, grains};
   ProfileRecord profiles(running.profiles);
   if (const auto& found = run.checkpoints.found()) {
-    if (!found->slide) throw CorruptFileError(fmt::format("the checkpoint of {} is not of a slide", running.point.name));
+    if (!found->slide)
+      throw CorruptFileError(fmt::format("the checkpoint of {} is not of a slide", running.point.name));
     loaded.sample->restore(found->sample);
     sliding.restore(found->slide->state);
     profiles.restore(found->slide->profiles);
     record = {found->slide->spacing, grains, found->so_far.series, found->slide->next_time, found->slide->next_strain};
   }
-  SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop, run.progress, sliding.state());
+  SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop,
+                         run.progress, sliding.state());
   SlideHooks hooks;
   hooks.go_on = [&](const SlideState& state) {
     progress.update(state);

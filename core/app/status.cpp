@@ -20,7 +20,8 @@ std::string quoted(const std::string& text) { return canonical(std::string_view(
 void read_last_checkpoint(const CheckpointStore& store, PointStatus& status) {
   const auto last = store.last_write();
   if (!last) return;
-  status.age = std::max(0.0, std::chrono::duration<double>(std::filesystem::file_time_type::clock::now() - *last).count());
+  const std::chrono::duration<double> age = std::filesystem::file_time_type::clock::now() - *last;
+  status.age = std::max(0.0, age.count());
   try {
     store.read_newest(
         [&](const hdf5::Group& root) {
@@ -56,8 +57,8 @@ PointStatus status_of(const OutputFolder& output, const std::string& point) {
 std::string status_table(const std::vector<PointStatus>& points) {
   std::size_t width = 5;
   for (const PointStatus& point : points) width = std::max(width, point.point.size());
-  std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "point", width, "state", "done",
-                                 "kept before");
+  std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "point", width, "state",
+                                 "done", "kept before");
   for (const PointStatus& point : points) {
     const bool kept = !point.place.empty();
     text += fmt::format("{:{}}  {:9}  {:>3.0f} %  {:>12}  {}\n", point.point, width, point.state,

@@ -29,7 +29,8 @@ inline Checkpoint example_checkpoint() {
   slide.spacing = {0.25, std::numeric_limits<double>::infinity(), 77};
   slide.next_time = 0.52;
   slide.next_strain = 0.1 + 0.2;
-  slide.profiles = {{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}, 0.7, 0.8, 0.9, 3}, {{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3, 1}};
+  slide.profiles = {{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}, 0.7, 0.8, 0.9, 3},
+                    {{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3, 1}};
   checkpoint.slide = slide;
   checkpoint.shots = {{0.125, 0.05, example_assembly(7)}};
   return checkpoint;

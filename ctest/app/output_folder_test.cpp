@@ -108,7 +108,8 @@ TEST(OutputFolder, LetsOneProcessRunAPoint) {
   const auto folder = OutputFolder::open(scratch.path(), "fig03");
   {
     const FileLock held = folder.begin_point("loose", "abc", "");
-    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "abc", ""); }),
+    EXPECT_CONTAINS(
+        message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "abc", ""); }),
                     "is in use: another process runs the point \"loose\" there");
     EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("dense", "abc", ""); });
   }

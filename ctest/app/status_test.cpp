@@ -77,7 +77,8 @@ TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {
             "RD       running     42 %          12 s  t = 0.5 s\n"
             "RI_long  not begun    0 %             -  -\n");
   EXPECT_EQ(status_json(points),
-            "{\"points\": [\n  {\"name\": \"RD\", \"state\": \"running\", \"share_done\": 0.420, \"checkpoint_age\": 12.0, "
+            "{\"points\": [\n  {\"name\": \"RD\", \"state\": \"running\", \"share_done\": 0.420, "
+            "\"checkpoint_age\": 12.0, "
             "\"place\": \"t = 0.5 s\"},\n  {\"name\": \"RI_long\", \"state\": \"not begun\", \"share_done\": 0.000, "
             "\"checkpoint_age\": 0.0, \"place\": \"\"}\n]}\n");
 }

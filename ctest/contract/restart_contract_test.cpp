@@ -13,8 +13,8 @@ namespace {
 
 constexpr double step = 2e-6;
 
-/// In stress, relative: what an engine of other engines' making does to the rounding of a state, in some 200 steps, which
-/// is before chaos does. The native engine promises the same bits.
+/// In stress, relative: what some 200 steps, before chaos sets in, make of the rounding of a state by LIGGGHTS. The
+/// native engine promises the same bits.
 double tolerance(const std::string& engine) { return engine.starts_with("native") ? 0.0 : 1e-12; }
 
 class RestartContract : public testing::TestWithParam<std::string> {

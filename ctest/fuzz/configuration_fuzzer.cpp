@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Any bytes as a configuration file, read with each getter: a ConfigurationError or a value, and what was read gives the
-// same configuration when it is read again.
+// Any bytes as a configuration file, read with each getter: a ConfigurationError or a value, and what was resolved can
+// be read again.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -28,7 +28,8 @@ bool holds(const std::function<void()>& read) {
 
 void read_all(const Configuration& configuration) {
   namespace dimension = flowslide::dimension;
-  for (const char* key : {"engine", "seed", "slope.angle", "a", "a.b", "point.a.figures", "claim.0.metric", "x-y_z.1"}) {
+  for (const char* key : {"engine", "seed", "slope.angle", "a", "a.b", "point.a.figures", "claim.0.metric",
+                          "x-y_z.1"}) {
     holds([&] { configuration.has(key); });
     holds([&] { configuration.quantity(key, dimension::stress, Range::positive()); });
     holds([&] { configuration.quantity(key, dimension::angle); });

@@ -14,6 +14,7 @@
 
 #include "app/messages.hpp"
 #include "app/slide_case_text.hpp"
+#include "record/checkpoint_store.hpp"
 #include "record/result_file.hpp"
 #include "record/same_bits.hpp"
 
@@ -48,6 +49,10 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void signal(int number) const { ::kill(child_, number); }
+  bool runs() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+  }
   /// The exit code, or 128 and the signal that ended it.
   int wait() {
     int status = 0;
@@ -78,9 +83,9 @@ replicates = 1
 rows.row_interval = "5 ms"
 rows.row_strain = 0.01
 rows.most_rows = 400
-stop.end_time = "0.5 s"
+stop.end_time = "0.2 s"
 coupling.initial_velocity = 0.5
-point.RD.profile_strains = [0.05, 0.4]
+point.RD.profile_strains = [0.05, 0.2]
 )");
     scratch_.write("claims.toml", "");
     ::setenv("RESTARTABLE_CASE", scratch_.path().c_str(), 1);
@@ -103,10 +108,11 @@ point.RD.profile_strains = [0.05, 0.4]
   }
   /// Starts a run and waits until it has kept a checkpoint.
   std::unique_ptr<Process> start(const std::string& folder, const std::string& point, const Words& options) {
+    const CheckpointStore store(out(folder) / ".flowslide", point);
+    const auto before = store.last_write();
     auto process = std::make_unique<Process>(command(folder, options), scratch_.path() / (folder + ".said"));
-    const auto checkpoint = out(folder) / ".flowslide" / (point + ".checkpoint_1.h5");
-    for (int i = 0; i < 3000 && !std::filesystem::exists(checkpoint); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    for (int i = 0; i < 6000 && store.last_write() == before && process->runs(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return process;
   }
   /// All that is data in the files of a point; provenance has times.
