@@ -92,7 +92,12 @@ OutputFolder OutputFolder::open(const fs::path& path, const std::string& case_na
   }
   fs::create_directories(path / mark_folder, failure);
   if (failure) refuse(path, fmt::format("cannot be written: {}", failure.message()));
-  try {  // also on a marked folder: it tells before a run, not after, that nothing can be written
+  if (!marked_case(path).empty()) {  // to be told before a run, not after it
+    if (::access((path / mark_folder).c_str(), W_OK) != 0)
+      refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+    return OutputFolder(path);
+  }
+  try {
     write_atomically(path / mark_folder / case_file, case_name + "\n");
   } catch (const FileError& error) {
     refuse(path, fmt::format("cannot be written ({})", error.what()));

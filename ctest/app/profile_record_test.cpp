@@ -71,7 +71,8 @@ TEST_F(ProfileRecordOfGrains, TakesSnapshotsWhenTheyAreDue) {
 
 TEST_F(ProfileRecordOfGrains, GoesOnFromWhatItHad) {
   const ProfilePlan plan{3, 2, 1.0, {0.1, 0.5}};
-  for (const std::vector<double> before : {std::vector<double>{}, {0.12}, {0.12, 0.2}, {0.12, 0.2, 0.6}}) {
+  const std::vector<std::vector<double>> stops{{}, {0.12}, {0.12, 0.2}, {0.12, 0.2, 0.6}};
+  for (const std::vector<double>& before : stops) {
     ProfileRecord whole(plan), first(plan), second(plan);
     for (const double strain : before) first.take(strain, *sample_);
     second.restore(first.sums());

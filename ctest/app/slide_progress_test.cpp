@@ -39,8 +39,8 @@ TEST(SlideProgress, CountsLocalStepsAndScalesThemToTheEnd) {
   EXPECT_NEAR(progress.share_done(state), 0.5, 1e-3);
   ramp.now += std::chrono::seconds(3);
   progress.update(state);
-  EXPECT_CONTAINS(ramp.shown.str(), "fig12 RD:  50 %  10.0k steps/s  3 s left  t 1.000 s, v 0.250 m/s, tau 1200 Pa, "
-                                    "sigma 3400 Pa");
+  EXPECT_CONTAINS(ramp.shown.str(), "fig12 RD: ");
+  EXPECT_CONTAINS(ramp.shown.str(), "10.0k steps/s  3 s left  t 1.000 s, v 0.250 m/s, tau 1200 Pa, sigma 3400 Pa");
   progress.finish(state);
   EXPECT_CONTAINS(ramp.shown.str(), "100 %  30.0k steps in 3 s");
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Output that cannot be written: a clear word, the last checkpoint as it was, and going on when there is room.
 #include <sys/mount.h>
-#include <sys/resource.h>
 
 #include "restart/program.hpp"
 
@@ -11,7 +10,9 @@ namespace {
 class Output : public ProgramTest {
  protected:
   Words options_{"--engine", "native", "--point", "RD"};
-  std::filesystem::path newest() const { return out("out") / ".flowslide" / "RD.checkpoint_1.h5"; }
+  std::filesystem::path checkpoint(int place) const {
+    return CheckpointStore(out("out") / ".flowslide", "RD").path(place);
+  }
   /// Some checkpoints, and an end by SIGTERM.
   void stop_a_run() {
     ASSERT_EQ(run("whole", options_), 0) << said_;
@@ -21,42 +22,25 @@ class Output : public ProgramTest {
   }
 };
 
-/// No file may grow beyond some bytes: what a full disk does to write().
-void limit_files() {
-  ::signal(SIGXFSZ, SIG_IGN);
-  const rlimit limit{20'000, 20'000};
-  ::setrlimit(RLIMIT_FSIZE, &limit);
-}
-
-TEST_F(Output, GoesOnWhenThereIsRoomAgain) {
-  stop_a_run();
-  const std::string before = content_of(newest());
-  EXPECT_EQ(run("out", options_, limit_files), 2) << said_;
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint");
-  EXPECT_CONTAINS(said_, "cannot write");
-  EXPECT_CONTAINS(said_, "the checkpoint before is as it was");
-  EXPECT_CONTAINS(said_, "the same command goes on from its last checkpoint");
-  EXPECT_EQ(content_of(newest()), before);
-  EXPECT_FALSE(std::filesystem::exists(out("out") / "RD.h5"));
-  ASSERT_EQ(run("out", options_), 0) << said_;
-  expect_same_files("RD", "out", "whole");
-  expect_nothing_left("out");
-}
-
 TEST_F(Output, OnAFullFileSystem) {
   std::filesystem::create_directory(out("out"));
   if (::mount("none", out("out").c_str(), "tmpfs", 0, "size=4m") != 0)
-    GTEST_SKIP() << "no tmpfs can be mounted here; the other test limits the size of files";
+    GTEST_SKIP() << "no tmpfs can be mounted here; point_checkpoints_test fills a disk in process";
   stop_a_run();
+  const auto checkpoints = [&] { return content_of(checkpoint(0)) + content_of(checkpoint(1)); };
+  const std::string before = checkpoints();
   const auto ballast = out("out") / ".flowslide" / "ballast";
   const auto free = std::filesystem::space(out("out")).available;
   std::ofstream(ballast, std::ios::binary) << std::string(free > 16384 ? free - 16384 : 0, 'x');
   EXPECT_EQ(run("out", options_), 2) << said_;
   EXPECT_CONTAINS(said_, "No space left on device; free some space or choose another folder");
   EXPECT_CONTAINS(said_, "the same command goes on from its last checkpoint");
+  EXPECT_EQ(checkpoints(), before);
+  EXPECT_FALSE(std::filesystem::exists(out("out") / "RD.h5"));
   std::filesystem::remove(ballast);
   EXPECT_EQ(run("out", options_), 0) << said_;
   expect_same_files("RD", "out", "whole");
+  expect_nothing_left("out");
 
   // Read-only, it says so before a run is spent on it.
   ASSERT_EQ(::mount("none", out("out").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=4m"), 0);
