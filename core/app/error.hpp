@@ -49,7 +49,8 @@ class Stopped : public std::runtime_error {
 
 /// Runs `body` and returns its result, or the exit code that belongs to the exception it ended with:
 /// ConfigurationError, FileError of record, std::filesystem::filesystem_error, std::invalid_argument, std::domain_error
-/// -> 2, everything else (std::runtime_error of an engine, std::bad_alloc, unknown types) -> 3, FinishedEarly -> 0, Stopped -> its own.
+/// -> 2, everything else (std::runtime_error of an engine, std::bad_alloc, unknown types) -> 3, FinishedEarly -> 0,
+/// Stopped -> its own.
 /// Prints exactly one message "flowslide: ..." to stderr per failure. `rank` is the MPI rank, if known: what every rank
 /// says alike (help, configuration) is printed by rank 0 only, a numerical failure by each rank that meets it.
 /// Never throws.

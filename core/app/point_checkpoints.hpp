@@ -26,8 +26,8 @@ class PointCheckpoints {
   void check_engine(const std::string& name, const std::string& version) const;
 
   /// At each border between exchanges: keeps what `now` says if that is due, and throws Stopped if the run is to stop.
-  /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that is
-  /// a FileError.
+  /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that
+  /// is a FileError.
   void border(const std::function<Checkpoint()>& now);
   /// The same where nothing can be kept, such as in a preparation.
   void border_of_preparation();

@@ -10,7 +10,7 @@ namespace flowslide {
 /// How far a point of an output folder has come.
 struct PointStatus {
   std::string point;
-  std::string state;       ///< complete, damaged, running, stopped (there is a checkpoint), begun (there is none) or not begun
+  std::string state;       ///< complete, damaged, running, stopped (with a checkpoint), begun (without) or not begun
   std::string place;       ///< where its last checkpoint stands, for people; empty without one
   double share_done = 0.0;  ///< about, 0 to 1, at its last checkpoint; 1 if complete
   double age = 0.0;        ///< of the last checkpoint, s; 0 without one
@@ -21,7 +21,7 @@ PointStatus status_of(const OutputFolder& output, const std::string& point);
 
 /// A line for each point under a line of titles.
 std::string status_table(const std::vector<PointStatus>& points);
-/// {"points": [{"name": "RD", "state": "running", "share_done": 0.42, "checkpoint_age": 12.0, "place": "t = ..."}, ...]}
+/// {"points": [{"name": "RD", "state": "running", "share_done": 0.42, "checkpoint_age": 12.0, "place": "..."}, ...]}
 std::string status_json(const std::vector<PointStatus>& points);
 
 }  // namespace flowslide

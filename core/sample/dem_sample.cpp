@@ -123,7 +123,9 @@ void DemSample::restore(const SampleState& state) {
   shear_strain_ = state.number("shear_strain");
   time_ = state.number("time");
   steps_ = state.count("steps");
-  clock_ticks_ = static_cast<std::clock_t>(std::max(0.0, state.number("processor_seconds")) * CLOCKS_PER_SEC);
+  constexpr double a_century = 3.2e9;  // s: what no run has taken
+  clock_ticks_ =
+      static_cast<std::clock_t>(std::clamp(state.number("processor_seconds"), 0.0, a_century) * CLOCKS_PER_SEC);
   stress_ = stress_in(state, "");  // an engine that has not made a step yet may round it differently
 }
 

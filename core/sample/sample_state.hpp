@@ -9,7 +9,7 @@
 
 namespace flowslide {
 
-/// All that changes in a sample while it is strained. A sample of the same properties that takes it goes on bit for bit.
+/// All that changes in a sample while it is strained: one of the same properties that takes it goes on bit for bit.
 struct SampleState {
   std::map<std::string, double> numbers;  ///< by name, SI; counts are exact up to 2^53
   std::optional<Assembly> grains;         ///< of a sample that is made of them

@@ -46,6 +46,9 @@ TEST(Checkpoint, IsReadBackBitForBit) {
   EXPECT_EQ(b.steps, a.steps);
   EXPECT_EQ(b.local_time, a.local_time);
   EXPECT_EQ(b.local_steps, a.local_steps);
+  EXPECT_EQ(b.unmeasured_runs, a.unmeasured_runs);
+  EXPECT_EQ(b.rest.probed, a.rest.probed);
+  EXPECT_EQ(b.rest.rested, a.rest.rested);
   EXPECT_EQ(again.slide->spacing.interval, checkpoint.slide->spacing.interval);
   EXPECT_EQ(again.slide->spacing.strain, checkpoint.slide->spacing.strain);  // infinite
   EXPECT_EQ(again.slide->spacing.most_rows, checkpoint.slide->spacing.most_rows);
