@@ -11,6 +11,7 @@
 #include "app/ensemble.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
+#include "app/tables.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
 #include "pictures.hpp"
@@ -35,10 +36,6 @@ void UndrainedCase::read(const Configuration& configuration) {
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
   for (int replicate = 0; replicate < replicates; ++replicate)
     samples_.push_back(read_samples(configuration, slope_, replicate));
-  time_step_ = configuration.quantity("shear.time_step", dimension::time, Range::positive());
-  if (!samples_.front().empty())
-    check_time_step(configuration, "shear.time_step", samples_.front().front().recipe.packing.smallest_diameter,
-                    samples_.front().front().recipe.material);
   for (int replicate = 0; replicate < replicates; ++replicate)
     for (const std::string& name : configuration.subtables("point")) read_curve(configuration, name, replicate);
 }
@@ -53,12 +50,17 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   const std::string sample = configuration.text(table + "sample", names);
   curve.sample = static_cast<std::size_t>(std::find(names.begin(), names.end(), sample) - names.begin());
   const SampleRecipe& recipe = sample_of(curve).recipe;
-  curve.test = read_element_test(configuration, {"point." + name, "shear"}, recipe);
+  const TableNames tables{"point." + name, "shear"};
+  curve.test = read_element_test(configuration, tables, recipe);
+  const Tables shear(configuration, tables);
+  check_time_step(configuration, shear.key("time_step"), recipe.packing.smallest_diameter,
+                  recipe.material);
+  curve.time_step = shear.positive("time_step", dimension::time);
   if (configuration.has(table + "picture_strain"))
     curve.picture_strain = configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
 
   const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
-  const auto steps = static_cast<double>(curve.test.steps(time_step_));
+  const auto steps = static_cast<double>(curve.test.steps(curve.time_step));
   curve.point = {replicate_name(name, replicate), configuration.texts(table + "figures"),
                  fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,
                              curve.test.shear_rate, 100.0 * curve.test.final_strain, steps, grains),
@@ -80,9 +82,9 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
   const Curve& planned = curve(point.name);
   const SampleSpecification& sample = sample_of(planned);
   print_sample_plan(out, sample, preparation_engine_);
-  print_engine_plan(out, sample.recipe, engine_, time_step_);
-  out << fmt::format("# {} steps of {} s, {} rows\n", planned.test.steps(time_step_), time_step_,
-                     planned.test.row_steps(time_step_).size());
+  print_engine_plan(out, sample.recipe, engine_, planned.time_step);
+  out << fmt::format("# {} steps of {} s, {} rows\n", planned.test.steps(planned.time_step), planned.time_step,
+                     planned.test.row_steps(planned.time_step).size());
 }
 
 FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem::path& log,
@@ -104,7 +106,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
 
   run.checkpoints.check_engine(engine->name(), engine->version());
 
-  DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, time_step_, 0.0});
+  DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, running.time_step, 0.0});
   Pictures pictures(running.picture_strain);
   Series rows = element_test_series();
   if (const auto& kept = run.checkpoints.found()) {
@@ -122,7 +124,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
     result.provenance.replicate = running.replicate;
     return result;
   };
-  const std::int64_t steps = running.test.steps(time_step_);
+  const std::int64_t steps = running.test.steps(running.time_step);
   Progress progress("fig03_undrained " + point.name, steps, run.progress, sample.steps());
   const auto observe = [&](std::int64_t done, const Assembly& assembly, const Series& so_far) {
     pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);

@@ -15,6 +15,7 @@ struct Curve {
   Point point;                             ///< named after the curve and the replicate
   std::string name;                        ///< of its table [point.<name>]
   ElementTest test;
+  double time_step = 0.0;                  ///< dt_L, s
   std::size_t sample = 0;                  ///< index into samples of its replicate
   int replicate = 0;
   std::optional<double> picture_strain;    ///< of Fig. 2B; a curve with one also writes ParaView files
@@ -43,7 +44,6 @@ class UndrainedCase : public Case {
 
   std::string engine_, preparation_engine_;
   std::int64_t seed_ = 1;
-  double time_step_ = 0.0;
   SlopeProperties slope_;
   std::vector<std::vector<SampleSpecification>> samples_;  ///< per replicate
   std::vector<Curve> curves_;

@@ -210,10 +210,11 @@ class CaseProgram {
     return present;
   }
 
-  /// Whether a claim is about a figure that one of the chosen points belongs to.
+  /// Whether a claim is about one of the chosen points, or a figure that one belongs to.
   bool concerns(const Claim& claim) const {
     return std::any_of(points_.begin(), points_.end(), [&](const Point& point) {
-      return chosen_.contains(point.name) &&
+      if (!chosen_.contains(point.name)) return false;
+      return claim.metric.starts_with(point.name + ".") ||
              std::any_of(point.figures.begin(), point.figures.end(), [&](const std::string& figure) {
                const std::string start = "Fig. " + figure;
                return claim.figure.starts_with(start) &&

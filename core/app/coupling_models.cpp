@@ -42,6 +42,28 @@ void check_stability(const Tables& table, double time_step, double limit, const 
                "choose a smaller step, or give --allow-unstable to see what happens");
 }
 
+/// Refuses portions of strain that hide from the slope what its sample answers meanwhile.
+void check_portions(const Tables& table, const SlideSettings& settings, double swing_limit) {
+  double least = 1.0;
+  if (const auto* carry = std::get_if<CarryRemainder>(&settings.passing.rule))
+    least = static_cast<double>(carry->least_steps);
+  if (const auto* reset = std::get_if<AccumulateAndReset>(&settings.passing.rule))
+    least = static_cast<double>(reset->least_steps);
+  if (least == 1.0) return;
+  const double duration = least * settings.passing.time_step;
+  const bool at_own_rate = std::holds_alternative<ConstantStrainRate>(settings.rate) ||
+                           std::holds_alternative<ConstantInertialNumber>(settings.rate);
+  if (!at_own_rate && duration > swing_limit)
+    table.refuse("n_accum",
+                 fmt::format("holds the stress for {:.3g} s, in which the slope swings on unanswered: at most {:.3g} s, "
+                             "2/omega", duration, swing_limit), "choose a smaller one");
+  const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope));
+  if (portion > largest_portion)
+    table.refuse("n_accum",
+                 fmt::format("passes strain in portions of {:.3g}, in which the peak of the shear stress goes by unseen: "
+                             "at most {:.3g}", portion, largest_portion), "choose a smaller one");
+}
+
 }  // namespace
 
 StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
@@ -114,6 +136,7 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
   if (coupling.flag("allow_unstable")) return settings;
   check_stability(coupling, settings.time_step, sliding_time_step_limit(slope, shear_modulus),
                   fmt::format("sliding on a sample of G = {:.3g} Pa, 2/omega,", shear_modulus));
+  check_portions(coupling, settings, sliding_time_step_limit(slope, shear_modulus));
   const double modulus = settings.oedometric_modulus;
   if (euler)
     check_stability(coupling, settings.time_step, consolidation_time_step_limit(slope, modulus),

@@ -31,7 +31,10 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
 /// The two above, time_step, consolidation = "euler" or "exponential", residual = "fades", "left_out" or "stays",
 /// shear_modulus and oedometric_modulus (upper bounds of the sample's); initial_velocity, stress_interval and, for a
 /// sample that rests when liquefied, rest_stress with probed_strain and rested_strain if there. A dt_G beyond the
-/// limit of stability that follows from them is refused unless allow_unstable. The loading is left to read_loading.
+/// limit of stability that follows from them is refused unless allow_unstable, and so is an n_accum for which the slope
+/// would swing unanswered (RD: n_accum dt_L beyond that limit) or the sample pass its peak unseen (else: a portion of
+/// more than `largest_portion` strain). The loading is left to read_loading.
+inline constexpr double largest_portion = 1e-3;  ///< strain; loose samples have their peak at some 5e-3
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "grains/require.hpp"
 
@@ -21,6 +22,10 @@ Slide::Slide(const SlideSettings& settings, Sample& sample)
   if (settings.rest) validate(*settings.rest);
   require(settings.stress_interval >= 1, "number of runs of the sample per measured stress",
           static_cast<double>(settings.stress_interval), "1 or more", "Use 1 to measure after each.");
+  if (const auto* pulse = std::get_if<SinePulse>(&settings.loading))
+    require(pulse->duration >= (1.0 - 1e-9) * least_steps_of_pulse * settings.time_step,
+            "duration of the pulse in dt_G", pulse->duration / settings.time_step, "at least 10",
+            "Use a smaller dt_G: it sees only a part of this pulse.");
   require(std::isfinite(settings.initial_velocity), "initial velocity", settings.initial_velocity,
           "any finite value in m/s", "Use 0 to start at rest.");
   state_.driving_stress = driving_.at(0.0);

@@ -52,6 +52,10 @@ struct SlideState {
   std::int64_t local_steps = 0;     ///< of all exchanges
 };
 
+/// A pulse must last at least so many global steps: the slope sees it at the exchanges alone, where the impulse of a
+/// sine over n steps is short by (pi/n)^2/12, 0.8 % of it for 10, and all of it for one.
+inline constexpr double least_steps_of_pulse = 10.0;
+
 /// A slope on its sample: Algorithm 1, every exchange the same on all ranks that share the sample.
 ///
 /// As printed, with v at half steps: x += dt v; epsilon by eq. 5; (gamma, epsilon) to the sample; its stress back;
@@ -63,8 +67,8 @@ struct SlideState {
 class Slide {
  public:
   /// Begins at rest or at the initial velocity. `sample` must outlive it. Throws std::invalid_argument if a setting is
-  /// out of its range or the sample does not suit the slope. Stability is the caller's: see sliding_time_step_limit and
-  /// consolidation_time_step_limit.
+  /// out of its range, a pulse shorter than `least_steps_of_pulse`, or the sample does not suit the slope. Stability is
+  /// the caller's: see sliding_time_step_limit and consolidation_time_step_limit.
   Slide(const SlideSettings& settings, Sample& sample);
 
   /// One global step dt_G. Throws NumericalFailure.

@@ -46,6 +46,13 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
   engine_.load(assembly, settings);
   stress_ = prepared_ = engine_.cell_stress();
+  inspect_time_step();
+}
+
+void DemSample::inspect_time_step() {
+  if (steps_ < next_inspection_) return;
+  next_inspection_ = steps_ + time_step_interval;
+  check_contact_time_step(engine_.save(), settings().material, settings().time_step);
 }
 
 void DemSample::start_linear_velocity_field(double shear_rate) {
@@ -74,6 +81,7 @@ CellStress DemSample::strain(const LocalRun& run) {
   shear_strain_ += run.rate.shear * run.duration();
   time_ += run.duration();
   steps_ += run.steps;
+  inspect_time_step();
   clock_ticks_ += std::clock() - start;
   return stress_;
 }

@@ -12,7 +12,7 @@ namespace flowslide {
 class DemSample : public Sample {
  public:
   /// Loads the assembly, which needs glued layers; throws std::invalid_argument without them, or if the time step is
-  /// not possible.
+  /// not possible for its smallest grain, NumericalFailure if not for its contacts (see check_contact_time_step).
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
   /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height, on top of its own, and
@@ -22,7 +22,8 @@ class DemSample : public Sample {
   /// Does so before the first step, at the rate of the first strain.
   void start_linear_at_first_strain() { linear_at_first_strain_ = true; }
 
-  /// A time step other than that of the settings is set first; std::invalid_argument if it is not possible.
+  /// A time step other than that of the settings is set first; std::invalid_argument if it is not possible. Whether it
+  /// suits the contacts is looked at every `time_step_interval` steps.
   CellStress strain(const LocalRun& run) override;
   CellStress stress() const override { return stress_; }
   /// See bulk_mean_stress. Loops over all contacts.
@@ -45,6 +46,7 @@ class DemSample : public Sample {
 
  private:
   void set_time_step(double time_step);
+  void inspect_time_step();
 
   Engine& engine_;
   std::uint64_t grains_;
@@ -56,6 +58,7 @@ class DemSample : public Sample {
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::clock_t clock_ticks_ = 0;
+  std::int64_t next_inspection_ = 0;  ///< in steps: see time_step_interval
   CellStress stress_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "grains/contact_law.hpp"
 #include "grains/measures.hpp"
+#include "grains/time_step_share.hpp"
 #include "sample/failure.hpp"
 
 namespace flowslide {
@@ -52,6 +53,15 @@ void check_assembly(const Assembly& assembly) {
           "is too high for this Young's modulus, or the time step is too large",
           contact.first, contact.second, overlap, largest_overlap));
   }
+}
+
+void check_contact_time_step(const Assembly& assembly, const Material& material, double time_step) {
+  const double share = time_step_share(assembly, material, time_step);
+  if (share < 1.0) return;
+  throw NumericalFailure(fmt::format(
+      "the time step {} s is too long for contacts as stiff as they are now: motions grow from about {:.2g} s on, "
+      "which wrecks the stress without a sign; use a time step of at most {:.2g} s, less if the stress is still to rise, or "
+      "softer grains", time_step, time_step_at_edge(time_step, share), 0.95 * time_step_at_edge(time_step, share)));
 }
 
 double kinetic_number(const Assembly& assembly, const Material& material, double pressure) {

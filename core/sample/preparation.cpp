@@ -87,11 +87,15 @@ class Preparation {
   /// Runs the servo until the stresses stay at their targets and the grains have come to rest.
   void reach(const ServoTarget& target, double tolerance) {
     const std::int64_t last = steps_ + recipe_.most_steps;
-    std::int64_t within = 0;
+    std::int64_t within = 0, next_inspection = steps_ + 2 * time_step_interval;
     while (true) {
       engine_.move(servo_motion(target, engine_.cell(), stress_));
       advance(recipe_.servo_interval);
       within = servo_deviation(target, stress_) < tolerance ? within + recipe_.servo_interval : 0;
+      if (steps_ >= next_inspection) {  // a step that is too long keeps the servo from its target for ever
+        check_contact_time_step(engine_.save(), recipe_.material, recipe_.time_step);
+        next_inspection = steps_ + 2 * time_step_interval;
+      }
       if (within >= inspection_interval) {
         within = 0;
         const Assembly assembly = engine_.save();
@@ -113,6 +117,7 @@ class Preparation {
     PreparedSample sample;
     sample.assembly = engine_.save();
     check_assembly(sample.assembly);
+    check_contact_time_step(sample.assembly, recipe_.material, recipe_.time_step);
     sample.stress = stress_;
     sample.void_ratio = void_ratio(sample.assembly);
     sample.bulk_void_ratio = void_ratio_of_bulk(sample.assembly, sample.assembly.mean_diameter());

@@ -49,8 +49,9 @@ void validate(const SampleRecipe& recipe) {
                                               value, allowed));
   };
   require(recipe.normal_stress > 0.0, "normal_stress", recipe.normal_stress, "> 0 Pa");
-  require(std::abs(recipe.shear_stress) < recipe.material.sliding_friction * recipe.normal_stress, "shear_stress",
-          recipe.shear_stress, "smaller than sliding_friction times normal_stress, or no packing can bear it");
+  require(recipe.shear_stress == 0.0 ||
+              std::abs(recipe.shear_stress) < recipe.material.sliding_friction * recipe.normal_stress,
+          "shear_stress", recipe.shear_stress, "0, or smaller than sliding_friction times normal_stress: no packing bears more");
   require(recipe.preparation_friction >= 0.0, "preparation_friction", recipe.preparation_friction, ">= 0");
   require(recipe.drag >= 0.0, "drag", recipe.drag, ">= 0 kg/s");
   require(recipe.loose_void_ratio > 0.95, "loose_void_ratio", recipe.loose_void_ratio,

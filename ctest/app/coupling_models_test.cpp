@@ -204,6 +204,23 @@ TEST(ReadCoupling, RefusesATimeStepBeyondTheLimitOfStabilityUnlessAllowed) {
   EXPECT_DOUBLE_EQ(euler("\"9.8 ms\"", "true").time_step, 9.8e-3);
 }
 
+TEST(ReadCoupling, RefusesPortionsThatHideThePeakOfTheSample) {
+  const std::string rate = "inertial_number = 1e-4";  // 0.0545 1/s at sigma_0; the floor is 0.5 1/s
+  EXPECT_NO_THROW(coupling_of(with("n_accum = 10", "n_accum = 199")));
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 210"), "portions of 0.00105");
+  EXPECT_CONTAINS(coupling_complaint(rate, "inertial_number = 1e-1"), "n_accum = 10 passes strain in portions");
+}
+
+TEST(ReadCoupling, RefusesToHoldTheStressOfRDForLongerThanASwing) {
+  const std::string rate = "rate = \"constant_inertial_number\"\ninertial_number = 1e-4";
+  Configuration configuration = with(rate, "rate = \"global\"");
+  EXPECT_NO_THROW(coupling_of(configuration));  // 1e-4 s; 2/omega is 12.9 ms
+  const std::string rest = "\npassing = \"carry_remainder\"\nn_accum = 10";
+  EXPECT_CONTAINS(coupling_complaint(rate + "\nsmallest_rate = \"0.5 1/s\"" + rest,
+                                     "rate = \"global\"" + rest.substr(0, rest.size() - 2) + "1400"),
+                  "holds the stress for 0.014 s");
+}
+
 TEST(ReadStop, TakesWhatThereIs) {
   const StopConditions all = read_stop(with(), "stop");
   EXPECT_EQ(all.end_time, 10.0);

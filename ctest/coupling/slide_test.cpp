@@ -32,6 +32,16 @@ SlideSettings pulsed() {
   return settings;
 }
 
+TEST(Slide, RefusesAPulseThatItsStepsWouldMiss) {
+  const SlideSettings settings = pulsed();
+  ElasticSample sample(elastic_for(settings.slope));
+  SlideSettings shorter = settings;
+  shorter.loading = SinePulse{1e3, 10.0 * settings.time_step};
+  EXPECT_NO_THROW(Slide(shorter, sample));
+  shorter.loading = SinePulse{1e3, 9.9 * settings.time_step};
+  EXPECT_THROW(Slide(shorter, sample), std::invalid_argument);
+}
+
 TEST(Slide, RestsInBalanceAndLeavesItsSampleAlone) {
   SlideSettings settings = pulsed();
   settings.loading = NoChange{};

@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dem/make_engine.hpp"
 #include "dem/native/native_engine.hpp"
 #include "grains/bulk_mean_stress.hpp"
 #include "grains/measures.hpp"
+#include "grains/time_step_share.hpp"
+#include "sample/failure.hpp"
+#include "sample/health.hpp"
 #include "support/touching_lattice.hpp"
 
 namespace flowslide {
@@ -64,6 +69,20 @@ TEST_F(DemSampleTest, EachRunMayHaveATimeStepOfItsOwn) {
   EXPECT_NEAR(sample.shear_strain(), 2.0 * 130 * step, 1e-18);
   EXPECT_THROW(sample.strain({{2.0, 0.0}, 1, 100 * step}), std::invalid_argument);  // beyond the Rayleigh time
   EXPECT_THROW(sample.strain({{2.0, 0.0}, 1, 0.0}), std::invalid_argument);
+}
+
+TEST_F(DemSampleTest, StopsWhenContactsHaveBecomeTooStiffForTheTimeStep) {
+  const Assembly lattice = touching_lattice();
+  settings_.material.restitution = 0.3;  // dashpots bring the edge below what the Rayleigh time allows
+  double edge = 5e-6;
+  for (int i = 0; i < 40; ++i) edge /= std::sqrt(time_step_share(lattice, settings_.material, edge));
+  settings_.time_step = 0.97 * edge;  // suits the lattice as it is
+  DemSample sample(*engine_, lattice, settings_);
+  const std::int64_t steps = time_step_interval;
+  const double squeeze = 0.004 / (static_cast<double>(steps) * settings_.time_step);
+  EXPECT_THROW(sample.strain({{0.0, squeeze}, steps, settings_.time_step}), NumericalFailure);
+  settings_.time_step = 1.03 * edge;
+  EXPECT_THROW(DemSample(*engine_, lattice, settings_), NumericalFailure);
 }
 
 TEST_F(DemSampleTest, MeanStressIsThatOfTheBulkWithItsKineticPart) {

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "grains/measures.hpp"
+#include "grains/time_step_share.hpp"
 #include "sample/failure.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -64,6 +66,15 @@ TEST(Health, AnOverlapAboveFivePercentStopsTheRun) {
   EXPECT_NO_THROW(check_assembly(assembly));
   assembly.position[1] = assembly.position[0] + Vector3(distance - 0.051 * smaller, 0.0, 0.0);
   EXPECT_THROW(check_assembly(assembly), NumericalFailure);
+}
+
+TEST(Health, ATimeStepTooLongForTheContactsStopsTheRun) {
+  const Assembly assembly = touching_lattice(4, 5);
+  const Material material;
+  double step = 1e-5;
+  for (int i = 0; i < 40; ++i) step /= std::sqrt(time_step_share(assembly, material, step));
+  EXPECT_NO_THROW(check_contact_time_step(assembly, material, 0.99 * step));
+  EXPECT_THROW(check_contact_time_step(assembly, material, 1.01 * step), NumericalFailure);
 }
 
 TEST(Health, APositionThatIsNotANumberStopsTheRun) {

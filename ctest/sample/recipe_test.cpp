@@ -52,6 +52,7 @@ TEST(Recipe, RefusesWhatCannotBePrepared) {
       [](SampleRecipe& r) { r.packing.smallest_diameter = -5e-3; },
       [](SampleRecipe& r) { r.normal_stress = 0.0; },
       [](SampleRecipe& r) { r.shear_stress = 0.6 * r.normal_stress; },
+      [](SampleRecipe& r) { r.material.sliding_friction = 0.0; },
       [](SampleRecipe& r) { r.preparation_friction = -0.1; },
       [](SampleRecipe& r) { r.drag = -1.0; },
       [](SampleRecipe& r) { r.loose_void_ratio = 0.7; },
@@ -67,6 +68,12 @@ TEST(Recipe, RefusesWhatCannotBePrepared) {
     mistakes[i](recipe);
     EXPECT_THROW(validate(recipe), std::invalid_argument) << "mistake " << i;
   }
+}
+
+TEST(Recipe, GrainsWithoutFrictionMayBeIsotropic) {
+  SampleRecipe recipe;
+  recipe.material.sliding_friction = recipe.preparation_friction = recipe.shear_stress = 0.0;
+  EXPECT_NO_THROW(validate(recipe));
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pulses that are too small, too large or too short, and slopes that are level or steep.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "experiments.hpp"
+#include "scenes.hpp"
+
+namespace flowslide {
+namespace {
+
+std::string pulse(double amplitude, double duration) {
+  return fmt::format("history = \"pulse\"\namplitude = {}\nduration = {}\n", amplitude, duration);
+}
+
+/// Sliding velocity when a pulse has ended, m/s.
+double velocity_after(const Workshop& workshop, const Assembly& sample, const std::string& coupling, double amplitude,
+                      double duration) {
+  const SlideSettings settings = workshop.slide(coupling, pulse(amplitude, duration), workshop.suite().slope);
+  return slide_on_grains(workshop, sample, settings, {.end_time = duration}, false).velocity;
+}
+
+}  // namespace
+
+SceneRecord pulse_scene(const Workshop& workshop) {
+  const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
+  const double mass = mass_per_area(workshop.suite().slope);
+  const auto impulse = [&](double amplitude, double duration) {  // v of a slope without resistance
+    return 2.0 / std::numbers::pi * amplitude * duration / mass;
+  };
+  SceneRecord record;
+  record.trials.push_back(attempt("A = 0, T = 0.2 s", {0.0, 1e-6, -1e-5, 1e-5},
+                                  [&] { return velocity_after(workshop, sample, "", 0.0, 0.2); }));
+  record.trials.push_back(attempt("A = 1 Pa, T = 0.2 s", {0.0, 1e-5, -impulse(1, 0.2), impulse(1, 0.2)},
+                                  [&] { return velocity_after(workshop, sample, "", 1.0, 0.2); }));
+  const double huge = velocity_after(workshop, sample, "time_step = 5e-5\nlocal_time_step = 2e-6\n", 30e3, 0.05);
+  record.trials.push_back(attempt("A = 30 kPa, T = 0.05 s", relative(huge, 0.05, 0.25), [&] {
+    return velocity_after(workshop, sample, "local_time_step = 4e-6\n", 30e3, 0.05);
+  }));
+  for (const int exchanges : {1, 2, 5, 10, 100}) {
+    // The sample bears what it can for a moment: the slope gets the impulse within that of the sample's strength.
+    const double duration = exchanges * 1e-4, amplitude = 3e5, free = impulse(amplitude, duration);
+    record.trials.push_back(attempt(fmt::format("A = 300 kPa, T = {} exchanges", exchanges),
+                                    relative(free, 0.05, 0.2, exchanges < 10 ? "pulse" : ""),
+                                    [&] { return velocity_after(workshop, sample, "", amplitude, duration); }));
+  }
+  return record;
+}
+
+SceneRecord angle_scene(const Workshop& workshop) {
+  SceneRecord record;
+  for (const double degrees : {0.0, 5.0, 15.0, 20.0, 30.0}) {
+    const auto displacement = [&] {
+      SlopeProperties slope = workshop.suite().slope;
+      slope.angle = degrees * std::numbers::pi / 180.0;
+      SampleRecipe recipe = workshop.suite().dense;
+      recipe.normal_stress = initial_normal_stress(slope);
+      recipe.shear_stress = initial_shear_stress(slope);
+      const Assembly sample = workshop.prepared(recipe).assembly;
+      const SlideSettings settings = workshop.slide("", "", slope);
+      return slide_on_grains(workshop, sample, settings, {.end_time = 0.2}, false).sliding.displacement;
+    };
+    // In balance a slope stands: a millionth of the layer is what the servo's residual may move it.
+    record.trials.push_back(attempt(fmt::format("{} degrees", degrees),
+                                    {0.0, 2e-7, -2e-5, 2e-5, degrees > 16.0 ? "sample" : ""}, displacement));
+  }
+  return record;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fast shear, and grains of other sizes, laws and numbers than the paper's.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments.hpp"
+#include "scenes.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr int looks = 200;
+constexpr double strain = 0.006;  // before chaos sets in
+
+/// Largest shear stress of a sample of `recipe` at 0.2 and 0.45 Rayleigh times against 0.1.
+void add_peak(const Workshop& workshop, SampleRecipe recipe, const std::string& setting, const std::string& refusal,
+              SceneRecord& record) {
+  double right = 0.0;
+  Assembly sample;
+  const auto peak = [&](double share) {
+    const double step = time_step_of(share, sample, recipe.material);
+    return peak_of(shear(workshop, sample, {recipe.material, step}, workshop.suite().shear_rate, strain, looks));
+  };
+  const SceneTrial preparation = attempt(setting + ", prepared: e_0", {0.75, 0.15, 0.5, 1.0, refusal}, [&] {
+    const PreparedSample prepared = workshop.prepared(recipe);
+    sample = prepared.assembly;
+    right = peak(0.1);
+    return prepared.void_ratio;
+  });
+  record.trials.push_back(preparation);
+  if (preparation.outcome == Outcome::refused || preparation.outcome == Outcome::needless) return;
+  for (const double share : {0.2, 0.45})
+    record.trials.push_back(attempt(fmt::format("{}, dt_L = {} t_R: largest tau, Pa", setting, share),
+                                    relative(right, 0.02, 0.1, share > 0.4 ? "too long for contacts" : ""),
+                                    [&] { return peak(share); }));
+}
+
+}  // namespace
+
+SceneRecord fast_shear_scene(const Workshop& workshop) {
+  const Material& material = workshop.suite().material;
+  const Assembly sample = expanded(workshop, 0.125);
+  const auto stress = [&](double rate, double step) {
+    return mean_shear(shear(workshop, sample, {material, step}, rate, 20.0, 2000), 5.0);
+  };
+  SceneRecord record;
+  double before = 0.0, slower = 0.0;
+  for (const double rate : {100.0, 300.0, 1000.0}) {
+    // Rigid grains in a constant volume: stresses grow with the square of the rate (Bagnold 1954), less as they yield.
+    const double growth = before > 0.0 ? before * std::pow(rate / slower, 2) : 0.0;
+    double right = 0.0;
+    const SceneTrial refined = attempt(fmt::format("{} /s, dt_L = 2e-06 s, by the square of the rate, Pa", rate),
+                                       {growth, 0.3 * growth, 0.2 * growth, 1.5 * growth, "overlap"},
+                                       [&] { return right = stress(rate, 2e-6); });
+    if (growth > 0.0 || right == 0.0) record.trials.push_back(refined);
+    if (right == 0.0) continue;  // refused
+    before = right;
+    slower = rate;
+    for (const double step : {1e-6, 5e-6, 1e-5})
+      record.trials.push_back(attempt(fmt::format("{} /s, dt_L = {:.0e} s, Pa", rate, step),
+                                      relative(right, 0.15, 0.4, rate * step > 3e-4 ? "time step" : ""),
+                                      [&] { return stress(rate, step); }));
+  }
+  return record;
+}
+
+SceneRecord size_scene(const Workshop& workshop) {
+  SceneRecord record;
+  SampleRecipe recipe = workshop.suite().loose;
+  recipe.packing.smallest_diameter = 3e-3;
+  recipe.packing.largest_diameter = 9e-3;
+  recipe.time_step = 5e-6;
+  add_peak(workshop, recipe, "size ratio 1:3", "", record);
+  recipe = workshop.suite().loose;
+  recipe.packing.counts = {5, 5, 4};
+  add_peak(workshop, recipe, "100 grains", "", record);
+  recipe.packing.counts = {3, 3, 3};
+  add_peak(workshop, recipe, "27 grains", "", record);
+  return record;
+}
+
+SceneRecord material_scene(const Workshop& workshop) {
+  SceneRecord record;
+  for (const double restitution : {0.1, 0.5, 1.0}) {
+    SampleRecipe recipe = workshop.suite().loose;
+    recipe.material.restitution = restitution;
+    recipe.time_step = 4e-6;
+    add_peak(workshop, recipe, fmt::format("restitution {}", restitution), restitution == 1.0 ? "preparation" : "",
+             record);
+  }
+  SampleRecipe recipe = workshop.suite().loose;
+  recipe.material.rolling_friction = 0.0;
+  add_peak(workshop, recipe, "mu_r = 0", "", record);
+  recipe.material.sliding_friction = 0.0;
+  add_peak(workshop, recipe, "mu = 0 under tau_0", "shear_stress", record);
+  recipe.shear_stress = 0.0;
+  recipe.preparation_friction = 0.0;
+  add_peak(workshop, recipe, "mu = mu_r = 0, isotropic", "", record);
+  return record;
+}
+
+SceneRecord many_grains_scene(const Workshop& workshop) {
+  SceneRecord record;
+  SampleRecipe recipe = workshop.suite().loose;
+  recipe.packing.counts = workshop.suite().large_lattice;
+  const auto& [nx, ny, nz] = recipe.packing.counts;
+  add_peak(workshop, recipe, fmt::format("{} grains", nx * ny * nz), "", record);
+  return record;
+}
+
+}  // namespace flowslide

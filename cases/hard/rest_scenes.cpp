@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Nothing happens, for long.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.hpp"
+#include "sample/health.hpp"
+#include "scenes.hpp"
+
+namespace flowslide {
+
+SceneRecord rest_scene(const Workshop& workshop) {
+  constexpr int looks = 100;
+  SampleRecipe recipe = workshop.suite().loose;
+  recipe.packing.counts = {5, 5, 4};
+  const PreparedSample prepared = workshop.prepared(recipe);
+  const auto engine = workshop.engine();
+  DemSample sample(*engine, prepared.assembly, {recipe.material, 1e-5, 0.0});
+  const std::int64_t steps = workshop.suite().rest_steps / looks;
+  double drift = 0.0, first_energy = 0.0, largest_kinetic = 0.0, last_energy = 0.0;
+  CellStress first;
+  SceneRecord record;
+  const std::string duration = fmt::format("{:.0e} steps at rest", static_cast<double>(looks * steps));
+  record.trials.push_back(attempt(duration + ": drift of sigma and tau over sigma_0", {0.0, 1e-3, 0.0, 1e-2}, [&] {
+    for (int look = 0; look < looks; ++look) {
+      sample.strain({{0.0, 0.0}, steps, 1e-5});
+      const Assembly now = sample.assembly();
+      if (look == 0) {  // what is left of the preparation has died away
+        first = sample.stress();
+        first_energy = energy_of(now, recipe.material);
+      }
+      drift = std::max({drift, std::abs(sample.stress().normal - first.normal) / recipe.normal_stress,
+                        std::abs(sample.stress().shear - first.shear) / recipe.normal_stress});
+      last_energy = energy_of(now, recipe.material);
+      largest_kinetic = std::max(largest_kinetic, kinetic_number(now, recipe.material, recipe.normal_stress));
+    }
+    return drift;
+  }));
+  record.trials.push_back(attempt(duration + ": energy at the end over that at the start", {1.0, 1e-3, 0.99, 1.001},
+                                  [&] { return last_energy / first_energy; }));
+  record.trials.push_back(
+      attempt(duration + ": kinetic number", {0.0, 1e-8, 0.0, 1e-7}, [&] { return largest_kinetic; }));
+  return record;
+}
+
+}  // namespace flowslide
