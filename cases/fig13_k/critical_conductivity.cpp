@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double unchanged = 0.1;  ///< share by which a velocity is visibly another
+constexpr double mobile = 0.5;  ///< share of v at k = 0 to lose: more than samples of one k differ by
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
@@ -63,8 +63,8 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
   const auto own = sweep_of_replicate(sweep, replicate, kept);
   const std::vector<double> change = changes(own);
   CriticalConductivity critical{nothing, nothing};
-  for (std::size_t i = 0; i < own.size() && change[i] <= unchanged; ++i) critical.lower = own[i].parameter;
-  for (std::size_t i = own.size(); i-- > 0 && change[i] > unchanged;) critical.upper = own[i].parameter;
+  for (std::size_t i = 0; i < own.size() && change[i] <= mobile; ++i) critical.lower = own[i].parameter;
+  for (std::size_t i = own.size(); i-- > 0 && change[i] > mobile;) critical.upper = own[i].parameter;
   return critical;
 }
 

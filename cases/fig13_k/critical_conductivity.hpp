@@ -7,8 +7,8 @@
 
 namespace flowslide {
 
-/// Where along a sweep of k the slope begins to feel it, m/s: v at the end of the pulse is that at k = 0 within a tenth
-/// up to `lower`, and not from `upper` on. NaN where the sweep does not reach so far, or has no k = 0.
+/// Where along a sweep of k the slope leaves liquefaction, m/s: v at the end of the pulse is at least half of that at
+/// k = 0 up to `lower`, and less from `upper` on. NaN where the sweep does not reach so far, or has no k = 0.
 struct CriticalConductivity {
   double lower, upper;
 };
