@@ -52,6 +52,7 @@ std::vector<Look> shear(const Workshop& workshop, const Assembly& sample, const 
     if (until > done) sheared.strain({{rate, 0.0}, until - done, settings.time_step});
     done = until;
     seen.push_back({sheared.shear_strain(), sheared.stress()});
+    workshop.border();
   }
   sheared.assembly();  // checks it
   return seen;
@@ -90,6 +91,7 @@ SlideState slide_on_grains(const Workshop& workshop, const Assembly& sample, con
   while (stop_of(slide.state(), stop, settings.time_step) == Stop::not_yet) {
     slide.step();
     if (observe) observe(slide);
+    workshop.border();
   }
   grains.assembly();  // checks it
   return slide.state();

@@ -26,6 +26,7 @@ SceneRecord rest_scene(const Workshop& workshop) {
   record.trials.push_back(attempt(duration + ": drift of sigma and tau over sigma_0", {0.0, 1e-3, 0.0, 1e-2}, [&] {
     for (int look = 0; look < looks; ++look) {
       sample.strain({{0.0, 0.0}, steps, 1e-5});
+      workshop.border();
       const Assembly now = sample.assembly();
       if (look == 0) {  // what is left of the preparation has died away
         first = sample.stress();
