@@ -127,7 +127,7 @@ SceneRecord rattler_scene(const Workshop& workshop) {
   SceneRecord record;
   for (const double speed : {0.1, 1.0, 10.0, 50.0, 500.0}) {
     record.trials.push_back(attempt(fmt::format("{} m/s: largest energy over that at the start", speed),
-                                    {1.0, 1e-3, 0.0, 1.01, speed > 5.0 ? "overlap" : ""}, [&] {
+                                    {1.0, 1e-3, 0.0, 1.01, speed > 5.0 ? "time step" : ""}, [&] {
                                       Assembly sample = prepared.assembly;
                                       sample.velocity[rattler_of(sample)] = speed * Vector3(1.0, 1.0, 1.0).normalized();
                                       const auto engine = workshop.engine();

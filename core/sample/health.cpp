@@ -30,7 +30,7 @@ void check_exchange(const Engine& engine, const CellStress& stress, std::uint64_
   if (const std::uint64_t grains = engine.count_grains(); grains != expected_grains)
     throw NumericalFailure(fmt::format(
         "{} of {} grains are outside the cell or lost: the time step {} s is too large for the speed of the "
-        "boundaries; use a smaller time step or a slower rate",
+        "grains; use a smaller time step or a slower rate",
         expected_grains - grains, expected_grains, engine.settings().time_step));
   if (!std::isfinite(stress.normal + stress.shear + stress.lateral_x + stress.lateral_y))
     throw NumericalFailure(fmt::format("the stress is not finite (sigma = {} Pa, tau = {} Pa) at the time step {} s; "
