@@ -53,8 +53,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   const TableNames tables{"point." + name, "shear"};
   curve.test = read_element_test(configuration, tables, recipe);
   const Tables shear(configuration, tables);
-  check_time_step(configuration, shear.key("time_step"), recipe.packing.smallest_diameter,
-                  recipe.material);
+  check_time_step(configuration, shear.key("time_step"), recipe.packing.smallest_diameter, recipe.material);
   curve.time_step = shear.positive("time_step", dimension::time);
   if (configuration.has(table + "picture_strain"))
     curve.picture_strain = configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
