@@ -78,7 +78,7 @@ std::vector<SettingError> errors_of(const std::vector<Axis>& axes, const Ensembl
   std::vector<SettingError> rows;
   for (const Axis& axis : axes) {
     const auto reference = runs.find(axis.reference);
-    if (reference == runs.end()) continue;
+    if (reference == runs.end() || reference->second.size() < 2) continue;  // one seed has no spread
     for (const std::string& setting : axis.settings)
       if (const auto found = runs.find(setting); found != runs.end())
         rows.push_back(setting_error(axis, setting, found->second, reference->second));

@@ -46,6 +46,7 @@ struct SettingError {
 QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const std::string& quantity);
 
 /// The settings of all axes that have been run together with their references, by scene, then cost in processor time.
+/// An axis whose reference has been run on one seed alone has no spread, and is left out.
 std::vector<SettingError> errors_of(const std::vector<Axis>& axes, const Ensembles& runs);
 
 /// A setting of a scene with the largest of its errors on any axis that competes, and its cost.

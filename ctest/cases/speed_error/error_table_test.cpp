@@ -60,6 +60,13 @@ TEST(ErrorsOf, GoesByCostAndKeepsTheWorstQuantity) {
   EXPECT_EQ(rows[2].seconds, 10.0);
 }
 
+TEST(ErrorsOf, LeavesOutAnAxisWhoseReferenceHasOneSeed) {
+  Ensembles few = runs();
+  few["pulse_fine"] = pulses({2.0}, 100.0);  // without a spread nothing can be told from noise
+  const std::vector<Axis> axes{step};
+  EXPECT_TRUE(errors_of(axes, few).empty());
+}
+
 TEST(ErrorsOf, TakesAMissingQuantityForTheLargestError) {
   Ensembles broken = runs();
   broken["pulse"][0].metrics.erase(broken["pulse"][0].metrics.begin());
