@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double mobile = 0.5;  ///< share of v at k = 0 to lose: more than samples of one k differ by
+constexpr double lost_share = 0.5;  ///< of v at k = 0, without which a slope is as near to standing as to sliding on
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
@@ -63,8 +63,8 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
   const auto own = sweep_of_replicate(sweep, replicate, kept);
   const std::vector<double> change = changes(own);
   CriticalConductivity critical{nothing, nothing};
-  for (std::size_t i = 0; i < own.size() && change[i] <= mobile; ++i) critical.lower = own[i].parameter;
-  for (std::size_t i = own.size(); i-- > 0 && change[i] > mobile;) critical.upper = own[i].parameter;
+  for (std::size_t i = 0; i < own.size() && change[i] <= lost_share; ++i) critical.lower = own[i].parameter;
+  for (std::size_t i = own.size(); i-- > 0 && change[i] > lost_share;) critical.upper = own[i].parameter;
   return critical;
 }
 
