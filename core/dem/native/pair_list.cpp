@@ -5,40 +5,75 @@
 #include <cmath>
 #include <tuple>
 
-#include "dem/native/cell_grid.hpp"
-
 namespace flowslide::native {
 
 template <typename Real>
-void PairList<Real>::Columns::clear() {
-  first.clear();
-  second.clear();
-  image.clear();
+void PairList<Real>::Columns::resize(std::size_t pairs) {
+  for (auto* column : {&first, &second}) column->resize(pairs);
+  image.resize(pairs);
+  for (auto* column : {&first_radius, &second_radius}) column->resize(pairs);
+  for (auto* column : {&effective_radius, &root_effective_mass, &root_rolling_inertia}) column->resize(pairs);
 }
 
 template <typename Real>
-void PairList<Real>::Columns::append(std::uint32_t i, std::uint32_t j, std::uint8_t shift) {
-  first.push_back(i);
-  second.push_back(j);
-  image.push_back(shift);
+void PairList<Real>::Columns::put(std::size_t p, const Candidate& candidate, std::uint8_t image_now) {
+  first[p] = candidate.pair.first;
+  second[p] = candidate.pair.second;
+  image[p] = image_now;
+  first_radius[p] = candidate.first_radius;
+  second_radius[p] = candidate.second_radius;
+  effective_radius[p] = candidate.effective_radius;
+  root_effective_mass[p] = candidate.root_effective_mass;
+  root_rolling_inertia[p] = candidate.root_rolling_inertia;
 }
 
 template <typename Real>
-void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
-                           const std::vector<double>& allowance) {
-  set_shifts(cell);
-  std::swap(old_, columns_);
-  columns_.clear();
-  const std::size_t old_pairs = pairs_;
+auto PairList<Real>::candidate(const NearPair& pair, const Bodies& bodies) -> Candidate {
+  const Body<Real>&a = bodies[pair.first], &b = bodies[pair.second];
+  const double mass_a = a.mass, mass_b = b.mass;
+  // J = m R^2 about the contact; I_r = 7/5 J_1 J_2 / (J_1 + J_2).
+  const double first = mass_a * a.radius * a.radius, second = mass_b * b.radius * b.radius;
+  return {pair,
+          a.radius,
+          b.radius,
+          static_cast<Real>(a.radius * b.radius / (a.radius + b.radius)),
+          static_cast<Real>(std::sqrt(mass_a * mass_b / (mass_a + mass_b))),
+          static_cast<Real>(std::sqrt(1.4 * first * second / (first + second)))};
+}
+
+template <typename Real>
+void PairList<Real>::search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
+                            const std::vector<double>& allowance) {
+  candidates_.clear();
+  folded_.assign(role.size(), 0);
   for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(share_))
     if (role[pair.first] == Role::mobile || role[pair.first] != role[pair.second])
-      columns_.append(pair.first, pair.second, pair.image);
-  pairs_ = columns_.first.size();
+      candidates_.push_back(candidate(pair, bodies));
   const auto nobody = static_cast<std::uint32_t>(role.size());
-  while (columns_.first.size() % tile_size != 0) columns_.append(nobody, nobody + 1, image_of(0, 0, 0));
-  for (auto& column : columns_.history) column.assign(columns_.first.size(), Real(0));
+  nobody_ = candidate({nobody, nobody + 1, image_of(0, 0, 0)}, bodies);
+}
+
+template <typename Real>
+void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::vector<double>& allowance) {
+  set_shifts(cell);
+  std::swap(old_, columns_);
+  const std::size_t old_pairs = pairs_;
+  columns_.resize(candidates_.size() + tile_size);
+  pairs_ = 0;
+  for (const Candidate& c : candidates_) {
+    const auto [i, j, found] = c.pair;
+    const auto image = static_cast<std::uint8_t>(found + folded_[i] - folded_[j]);
+    const double *a = bodies[i].position, *b = bodies[j].position, *shift = shift_[image];
+    const double x = a[0] - (b[0] + shift[0]), y = a[1] - (b[1] + shift[1]), z = a[2] - (b[2] + shift[2]);
+    const double reach = c.first_radius + allowance[i] + (c.second_radius + allowance[j]);
+    columns_.put(pairs_, c, image);  // the next one replaces it if it is too far
+    pairs_ += x * x + y * y + z * z < reach * reach;
+  }
+  std::size_t padded = pairs_;
+  while (padded % tile_size != 0) columns_.put(padded++, nobody_, nobody_.pair.image);
+  columns_.resize(padded);
+  for (auto& column : columns_.history) column.assign(padded, Real(0));
   keep_histories(old_pairs);
-  fill_constants(bodies);
 }
 
 template <typename Real>
@@ -54,27 +89,10 @@ void PairList<Real>::keep_histories(std::size_t old_pairs) {
 }
 
 template <typename Real>
-void PairList<Real>::fill_constants(const Bodies& bodies) {
-  const std::size_t n = columns_.first.size();
-  for (auto* column : {&first_radius_, &second_radius_}) column->resize(n);
-  for (auto* column : {&effective_radius_, &root_effective_mass_, &root_rolling_inertia_}) column->resize(n);
-  for (std::size_t p = 0; p < n; ++p) {
-    const Body<Real>&a = bodies[columns_.first[p]], &b = bodies[columns_.second[p]];
-    const double mass_a = a.mass, mass_b = b.mass;
-    // J = m R^2 about the contact; I_r = 7/5 J_1 J_2 / (J_1 + J_2).
-    const double first = mass_a * a.radius * a.radius, second = mass_b * b.radius * b.radius;
-    first_radius_[p] = a.radius;
-    second_radius_[p] = b.radius;
-    effective_radius_[p] = static_cast<Real>(a.radius * b.radius / (a.radius + b.radius));
-    root_effective_mass_[p] = static_cast<Real>(std::sqrt(mass_a * mass_b / (mass_a + mass_b)));
-    root_rolling_inertia_[p] = static_cast<Real>(std::sqrt(1.4 * first * second / (first + second)));
-  }
-}
-
-template <typename Real>
 void PairList<Real>::carry(std::uint32_t grain, int axis, int periods) {
   const std::array<int, 3> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const int change = periods * (image_of(x[axis], y[axis], z[axis]) - image_of(0, 0, 0));
+  folded_[grain] += change;
   for (std::size_t p = 0; p < pairs_; ++p) {
     const int side = (columns_.first[p] == grain) - (columns_.second[p] == grain);
     columns_.image[p] = static_cast<std::uint8_t>(columns_.image[p] + side * change);
@@ -135,11 +153,11 @@ PairView<Real> PairList<Real>::view(const Cell& cell) {
                 columns_.second.data(),
                 columns_.image.data(),
                 shift_,
-                first_radius_.data(),
-                second_radius_.data(),
-                effective_radius_.data(),
-                root_effective_mass_.data(),
-                root_rolling_inertia_.data(),
+                columns_.first_radius.data(),
+                columns_.second_radius.data(),
+                columns_.effective_radius.data(),
+                columns_.root_effective_mass.data(),
+                columns_.root_rolling_inertia.data(),
                 {},
                 {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {

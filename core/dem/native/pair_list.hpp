@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "dem/native/contact_pass.hpp"
+#include "dem/native/cell_grid.hpp"
 #include "dem/native/share.hpp"
 #include "grains/assembly.hpp"
 
@@ -11,17 +11,22 @@ namespace flowslide::native {
 
 /// The neighbour list: all pairs nearer than touching plus the allowances of both grains of which a share owns at least
 /// one, sorted by (first, second), first < second, pairs of one glued layer left out. Open pairs add exact zeros, so
-/// results depend neither on the allowances nor on when it is built. `Real` is the precision of constants and histories.
+/// results depend neither on the allowances nor on when it is built. It is built from the pairs of a search with wider
+/// allowances, which costs more (Pall and Hess 2013, doi 10.1016/j.cpc.2013.06.003, prune theirs alike). `Real` is the
+/// precision of constants and histories.
 template <typename Real>
 class PairList {
  public:
   using Bodies = std::vector<Body<Real>>;
   explicit PairList(const Share& share) : share_(share) {}
 
-  /// Builds the list anew from `bodies` (folded into the cell by the caller; the last two stand in for no grain and pad
-  /// the last tile) and keeps the histories of pairs that were in the list before. `allowance`: m, of each grain.
-  void build(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
-             const std::vector<double>& allowance);
+  /// Finds the pairs that lists are built from, of `bodies` that are folded into the cell; the last two stand in for no
+  /// grain and pad the last tile. `allowance`: m, of each grain. Build the list next.
+  void search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
+              const std::vector<double>& allowance);
+  /// Builds the list anew and keeps the histories of pairs that were in it before. `allowance`: m, of each grain; no
+  /// more than what is left of those of the search.
+  void build(const Cell& cell, const Bodies& bodies, const std::vector<double>& allowance);
   /// A grain was folded by so many periods, 1 or -1, along an axis: its pairs meet other images.
   void carry(std::uint32_t grain, int axis, int periods);
   /// Forgets all histories and takes these, sorted by (first, second); the list must have been built.
@@ -38,22 +43,31 @@ class PairList {
   Vector3 separation(std::size_t pair, const Bodies& bodies) const;
 
  private:
+  /// A pair that was found, with the constants of its law.
+  struct Candidate {
+    NearPair pair;
+    double first_radius, second_radius;
+    Real effective_radius, root_effective_mass, root_rolling_inertia;
+  };
   struct Columns {
     std::vector<std::uint32_t> first, second;
     std::vector<std::uint8_t> image;
+    std::vector<double> first_radius, second_radius;
+    std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia;
     std::array<std::vector<Real>, 6> history;  ///< spring, rolling torque
-    void clear();
-    void append(std::uint32_t i, std::uint32_t j, std::uint8_t shift);
+    void resize(std::size_t pairs);
+    void put(std::size_t p, const Candidate& candidate, std::uint8_t image_now);
   };
+  static Candidate candidate(const NearPair& pair, const Bodies& bodies);
   void keep_histories(std::size_t old_pairs);
-  void fill_constants(const Bodies& bodies);
   void set_shifts(const Cell& cell);
 
   Share share_;
+  std::vector<Candidate> candidates_;
+  std::vector<int> folded_;  ///< by how much each grain's folds since the search change the image of its pairs
+  Candidate nobody_{};       ///< pads
   std::size_t pairs_ = 0;
   Columns columns_, old_;  ///< of this list and the one before, whose memory is used again
-  std::vector<double> first_radius_, second_radius_;
-  std::vector<Real> effective_radius_, root_effective_mass_, root_rolling_inertia_;
   alignas(32) double shift_[27][4] = {};
 };
 

@@ -9,13 +9,15 @@
 namespace flowslide::native {
 namespace {
 
-/// By how much a grain may stray before the list is built anew, as shares of the smallest diameter. Little leaves few
-/// open pairs in the list, much makes it last longer; the worker looks for the balance, and no result depends on it.
-constexpr double least_at_rest = 2e-4, most_at_rest = 0.02, most = 0.05;
-/// Steps that a list should last: fewer, and grains are allowed more; more, and less.
-constexpr std::int64_t shortest_age = 100, longest_age = 400;
+/// Pairs are searched with wide allowances; from those found, lists with narrow ones are built, several a search: a
+/// list then has few open pairs, at little cost. As shares of the smallest diameter, `most` for the search.
+constexpr double least_at_rest = 2e-4, most_at_rest = 0.01, most_in_list = 0.02, most = 0.05;
+/// Allowances of the search, of those of the list.
+constexpr double wider = 12.0;
+/// Steps that a list should last: fewer, and grains are allowed more; more, and less. No result depends on it.
+constexpr std::int64_t shortest_age = 8, longest_age = 32;
 /// A fast grain is allowed what it goes in that many steps, so that some rattlers do not burden the lists of all.
-constexpr double steps_of_fast_grains = 200.0;
+constexpr double steps_of_fast_grains = 16.0;
 
 auto rows(std::vector<std::array<double, 2>>& pairs) {
   static_assert(sizeof(std::array<double, 2>) == sizeof(double[2]));
@@ -34,8 +36,8 @@ Worker<Real>::Worker(const Share& share, Grains<Real>& grains, const Boundaries&
       list_(share),
       loads_(grains.bodies.size()),
       across_(grains.moments.size()),
-      start_(grains.bodies.size()),
       allowance_(grains.role.size()),
+      search_allowance_(grains.role.size()),
       allowance_at_rest_(first_allowance) {}
 
 template <typename Real>
@@ -69,7 +71,7 @@ void Worker<Real>::fold(std::vector<Fold>& folds) {
       if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
       const int periods = below ? 1 : -1;
       x += periods * cell.lengths()[axis];
-      start_[i].position[axis] += periods * cell.lengths()[axis];
+      for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->carry(i, axis, periods * cell.lengths()[axis]);
       folds.push_back({static_cast<std::uint32_t>(i), axis, periods});
     }
 }
@@ -79,7 +81,7 @@ void Worker<Real>::begin(bool first, int turn) {
   const bool carried = boundaries_.carries();
   boundaries_.advance();
   const MeanFlow flow = boundaries_.mean_flow();
-  drift_.add(flow, grains_.time_step);
+  for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->follow(flow, grains_.time_step);
   const MotionExtremes extremes = passes_.motion(first ? MotionPart::begin : MotionPart::end_and_begin,
                                                  grains_.time_step, flow, boundaries_.periods(), moving(share_, turn));
   if (carried) boundaries_.carry(grains_.bodies);
@@ -88,28 +90,30 @@ void Worker<Real>::begin(bool first, int turn) {
   news.folds.clear();
   if (carried || extremes.outside) fold(news.folds);
   if (carried || !news.folds.empty()) publish(turn);
-  if (measures_) news.slack = passes_.slack(drift_, start_.data(), moving(share_, turn));
+  if (watch_.measures()) news.slack = watch_.measure(passes_.slack, moving(share_, turn));
+  if (search_watch_.measures()) news.search_slack = search_watch_.measure(passes_.slack, moving(share_, turn));
 }
 
 template <typename Real>
 void Worker<Real>::meet(const std::vector<Worker>& all, int turn) {
-  double squared = 0.0, measured = std::numeric_limits<double>::infinity();
+  double squared = 0.0, slack = std::numeric_limits<double>::infinity(), search_slack = slack;
   for (const Worker& worker : all) {
     const News& news = worker.news_[static_cast<std::size_t>(turn)];
     squared = std::max(squared, news.fluctuation_squared);
-    measured = std::min(measured, news.slack);
+    slack = std::min(slack, news.slack);
+    search_slack = std::min(search_slack, news.search_slack);
     for (const Fold& fold : news.folds) list_.carry(fold.grain, fold.axis, fold.periods);
   }
   // Two neighbours, or a grain and a plane, meet by what both stray and by what the mean flow does over their distance.
   const double reach = longest_reach(grains_);
   const double pace = grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach) +
                                            boundaries_.side_speed());
-  ++list_age_;
-  slack_ = measures_ ? measured - 0.5 * reach * drift_.steepness() : slack_ - pace;
-  const bool exhausted = measures_ && slack_ < 4.0 * pace;  // measuring at every step costs more than a list
-  compressed_ = compressed_ || boundaries_.compresses();
-  measures_ = !compressed_ && slack_ < 2.0 * pace;
-  if (exhausted || !(slack_ > 0.0)) rebuild(turn);
+  const bool compressed = boundaries_.compresses();
+  const bool list_is_old = watch_.spend(pace, slack, reach, compressed);
+  if (search_watch_.spend(pace, search_slack, reach, compressed))
+    rebuild(turn);
+  else if (list_is_old)
+    build(turn);
 }
 
 template <typename Real>
@@ -123,28 +127,30 @@ void Worker<Real>::allow(const std::vector<Body<Real>>& bodies) {
       squared += fluctuation * fluctuation;
     }
     allowance_[i] = std::min(allowance_at_rest_ + steps_of_fast_grains * grains_.time_step * std::sqrt(squared),
-                             most * grains_.smallest_diameter);
+                             most_in_list * grains_.smallest_diameter);
+    search_allowance_[i] = std::min(wider * allowance_[i], most * grains_.smallest_diameter);
   }
 }
 
 template <typename Real>
 void Worker<Real>::rebuild(int turn) {
+  allow(seen(turn));
+  list_.search(boundaries_.cell(), seen(turn), grains_.role, search_allowance_);
+  search_watch_.start(share_, grains_.bodies, search_allowance_);
+  boundaries_.find_near(grains_.bodies, grains_.role, most * grains_.smallest_diameter);
+  build(turn);
+}
+
+template <typename Real>
+void Worker<Real>::build(int turn) {
   const double size = grains_.smallest_diameter;
-  if (list_age_ > 0) {  // not the first
-    if (list_age_ < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
-    if (list_age_ > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
+  if (watch_.age() > 0) {  // not the first
+    if (watch_.age() < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
+    if (watch_.age() > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
   }
   allow(seen(turn));
-  list_.build(boundaries_.cell(), seen(turn), grains_.role, allowance_);
-  boundaries_.find_near(grains_.bodies, grains_.role, most * size);
-  for (std::size_t i = share_.begin; i < share_.end; ++i) {
-    const double* x = grains_.bodies[i].position;
-    start_[i] = {{x[0], x[1], x[2]}, allowance_[i]};
-  }
-  slack_ = *std::min_element(allowance_.begin(), allowance_.end());
-  list_age_ = 0;
-  drift_ = {};
-  compressed_ = measures_ = false;
+  list_.build(boundaries_.cell(), seen(turn), allowance_);
+  watch_.start(share_, grains_.bodies, allowance_);
 }
 
 template <typename Real>

@@ -7,6 +7,7 @@
 #include "dem/native/boundaries.hpp"
 #include "dem/native/pair_list.hpp"
 #include "dem/native/passes.hpp"
+#include "dem/native/stray_watch.hpp"
 #include "dem/stress_sums.hpp"
 
 namespace flowslide::native {
@@ -55,7 +56,7 @@ class Worker {
   /// Adds the histories of the share's pairs that touch.
   void add_histories(int turn, std::vector<ContactHistory>& contacts) const;
 
-  /// Builds the list anew.
+  /// Searches all pairs and builds the list anew.
   void rebuild(int turn);
   /// Shows the own grains to the others.
   void publish(int turn);
@@ -76,7 +77,7 @@ class Worker {
   /// What others must know of a move.
   struct News {
     double fluctuation_squared = 0.0;  ///< of the velocities, m^2/s^2
-    double slack = 0.0;                ///< least allowance that is left, m, if it was measured
+    double slack = 0.0, search_slack = 0.0;  ///< what the watches measured, if they did, m
     std::vector<Fold> folds;
   };
   std::vector<Body<Real>>& seen(int turn);
@@ -84,6 +85,8 @@ class Worker {
   MovingGrains<Real> moving(const Share& part, int turn);
   void fold(std::vector<Fold>& folds);
   void allow(const std::vector<Body<Real>>& bodies);
+  /// Builds the list from the pairs of the last search.
+  void build(int turn);
 
   Share share_;
   Grains<Real>& grains_;
@@ -93,15 +96,9 @@ class Worker {
   std::vector<Load<Real>> loads_;  ///< those of others' grains are partial sums that nobody reads
   std::vector<std::array<double, 2>> across_;  ///< of each block; those of others are partial sums as well
   std::array<News, 2> news_;
-  std::vector<Start> start_;       ///< when the list was built, folded as the grains
-  std::vector<double> allowance_;  ///< of each grain, m
-  // Every worker keeps these, with the same values.
-  MeanDrift drift_;            ///< since the list was built
-  bool compressed_ = false;    ///< since then, from the sides: ways are not measured
-  bool measures_ = false;      ///< whether the slack is measured at the next step
-  double slack_ = 0.0;         ///< lower bound of the least allowance that is left, m
-  double allowance_at_rest_;   ///< m, of a grain at rest in the next list
-  std::int64_t list_age_ = 0;  ///< steps since the list was built
+  std::vector<double> allowance_, search_allowance_;  ///< of each grain in the list and in the search, m
+  StrayWatch<Real> watch_, search_watch_;             ///< of the list, and of the search it is built from
+  double allowance_at_rest_;                          ///< m, of a grain at rest in the next list
 };
 
 }  // namespace flowslide::native
