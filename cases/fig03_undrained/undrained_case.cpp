@@ -87,21 +87,21 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
 }
 
 FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem::path& log,
-                                      const ProgressStyle& progress,
+                                      const ProgressStyle& progress, int threads,
                                       const std::function<void()>& interruption) const {
-  return find_sample(*make_engine(preparation_engine_, log), sample_of(curve), sample_cache_folder(), progress,
+  return find_sample(*make_engine(preparation_engine_, log, threads), sample_of(curve), sample_cache_folder(), progress,
                      interruption);
 }
 
 void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress) const {
-  sample_for(curve(point.name), "/dev/null", progress);
+  sample_for(curve(point.name), "/dev/null", progress, 0);
 }
 
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const Curve& running = curve(point.name);
   const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress,
-                                       [&] { run.checkpoints.border_of_preparation(); });
-  const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"));
+                                       run.threads, [&] { run.checkpoints.border_of_preparation(); });
+  const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"), run.threads);
 
   run.checkpoints.check_engine(engine->name(), engine->version());
 

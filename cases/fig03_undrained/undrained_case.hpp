@@ -39,7 +39,7 @@ class UndrainedCase : public Case {
   const Curve& curve(const std::string& name) const;
   /// The sample of a curve, from the cache or by the engine of the preparation, which writes of itself to `log`.
   FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress,
-                         const std::function<void()>& interruption = {}) const;
+                         int threads, const std::function<void()>& interruption = {}) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

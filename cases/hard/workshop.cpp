@@ -59,7 +59,8 @@ PreparedSample Workshop::prepared(const SampleRecipe& recipe) const {
 }
 
 std::unique_ptr<Engine> Workshop::engine() const {
-  return make_engine(suite_.engine, run_.output.file(run_.provenance.point + "." + suite_.engine + ".log"));
+  return make_engine(suite_.engine, run_.output.file(run_.provenance.point + "." + suite_.engine + ".log"),
+                     run_.threads);
 }
 
 SlideSettings Workshop::slide(const std::string& coupling, const std::string& loading,

@@ -157,7 +157,7 @@ class CaseProgram {
     }
     PointCheckpoints checkpoints(output->checkpoints(point.name), control, configuration_.resolved());
     PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
-                 ProgressStyle::of_stderr(mpi_rank()), checkpoints};
+                 ProgressStyle::of_stderr(mpi_rank()), options_.threads, checkpoints};
     run.provenance.mpi_ranks = mpi_ranks();
     run.provenance.case_name = case_name;
     run.provenance.point = point.name;

@@ -32,6 +32,7 @@ struct PointRun {
   std::string configuration;          ///< resolved
   std::string configuration_hash;
   ProgressStyle progress;
+  int threads;                        ///< of the native engines; 0: they decide
   PointCheckpoints& checkpoints;      ///< what it goes on from, and to be asked at each border between exchanges
 };
 

@@ -38,14 +38,14 @@ auto one_of(const std::vector<std::string>& names) {
   };
 }
 
-/// A check that refuses any text but an integer of at least `least` that fits 64 bits.
-auto integer_from(std::int64_t least) {
-  return [least](const std::string& text) -> std::string {
+/// A check that refuses any text but an integer from `least` to `most`.
+auto integer_from(std::int64_t least, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+  return [least, most](const std::string& text) -> std::string {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc{} && end == text.data() + text.size() && value >= least) return "";
-    return fmt::format("\"{}\" is not allowed; it must be an integer from {} to {}", text, least,
-                       std::numeric_limits<std::int64_t>::max());
+    if (error == std::errc{} && end == text.data() + text.size() && value >= least && value <= most)
+      return "";
+    return fmt::format("\"{}\" is not allowed; it must be an integer from {} to {}", text, least, most);
   };
 }
 
@@ -66,6 +66,8 @@ struct Raw {
   bool allow_unstable = false;
   std::string checkpoint_interval, max_walltime;
 };
+
+constexpr std::int64_t most_threads = 1024;
 
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
   const std::string group = "What to run";
@@ -118,6 +120,12 @@ void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
       ->group(group);
   app.add_flag("--afresh", command_line.afresh, "Delete the checkpoints of the points first, and begin them anew")
       ->excludes("--resume")
+      ->group(group);
+  app.add_option("--threads", command_line.threads,
+                 "Threads of the native engines, which change no result; default: one below 10 000 grains, else one for "
+                 "each core. LIGGGHTS works in ranks instead: mpirun -np N")
+      ->type_name("N")
+      ->check(CLI::Validator(integer_from(1, most_threads), ""))
       ->group(group);
   app.add_option("--checkpoint-interval", raw.checkpoint_interval,
                  "Time between checkpoints, at the next exchange; default: 3 min")

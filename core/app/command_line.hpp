@@ -34,6 +34,7 @@ struct CommandLine {
   std::vector<std::string> points;                          ///< --point; empty: all
   bool resume = false;                                      ///< --resume
   bool afresh = false;                                      ///< --afresh
+  int threads = 0;                                          ///< --threads; 0: the engine decides
   double checkpoint_interval = 180.0;                       ///< --checkpoint-interval, s
   double max_walltime = std::numeric_limits<double>::infinity();  ///< --max-walltime, s
   bool status = false;                                      ///< --status

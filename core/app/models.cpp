@@ -52,6 +52,16 @@ std::uint64_t seed_offset(const Configuration& configuration, const std::string&
   return static_cast<std::uint64_t>(replicate) * seeds_per_replicate;
 }
 
+/// mu_1 of a sample: as a search found it for this replicate, or where a search starts.
+double preparation_friction(const Configuration& configuration, const std::string& table, int replicate) {
+  const Range allowed = Range::between(0.0, 2.0);
+  const double start = configuration.number(table + "preparation_friction", allowed);
+  const std::string key = table + "found_preparation_frictions";
+  if (!configuration.has(key)) return start;
+  const std::vector<double> found = configuration.numbers(key, allowed);
+  return static_cast<std::size_t>(replicate) < found.size() ? found[replicate] : start;
+}
+
 }  // namespace
 
 SlopeProperties read_slope(const Configuration& configuration) {
@@ -97,8 +107,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.recipe.material = read_material(configuration, {table + "material", "material"});
     sample.recipe.normal_stress = initial_normal_stress(slope);
     sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
-    sample.recipe.preparation_friction =
-        configuration.number(table + "preparation_friction", Range::between(0.0, 2.0));
+    sample.recipe.preparation_friction = preparation_friction(configuration, table, replicate);
     sample.recipe.drag = configuration.quantity(table + "drag", dimension::mass_rate, Range::not_negative());
     sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());

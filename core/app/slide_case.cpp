@@ -134,11 +134,12 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
     return loaded;
   }
   const auto preparing =
-      make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"));
+      make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"), run.threads);
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
                                         [&] { run.checkpoints.border_of_preparation(); });
   loaded.metrics = metrics_of(found);
-  loaded.engine = make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"));
+  loaded.engine =
+      make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"), run.threads);
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
                                             EngineSettings{slide.sample.recipe.material,
                                                            slide.settings.passing.time_step, 0.0});

@@ -168,11 +168,14 @@ TEST(CommandLine, ReadsHowLongARunMayTake) {
   EXPECT_EQ(read({}).checkpoint_interval, 180.0);
   EXPECT_TRUE(std::isinf(read({}).max_walltime));
   EXPECT_EQ(read({"--checkpoint-interval", "30 s"}).checkpoint_interval, 30.0);
+  EXPECT_EQ(read({}).threads, 0);
+  EXPECT_EQ(read({"--threads", "2"}).threads, 2);
   EXPECT_EQ(read({"--max-walltime", "1.5 h"}).max_walltime, 5400.0);
   EXPECT_EQ(read({"--max-walltime", "90"}).max_walltime, 90.0);
   EXPECT_CONTAINS(complaint({"--max-walltime", "2 kPa"}), "--max-walltime: ");
   EXPECT_CONTAINS(complaint({"--max-walltime", "0"}), "is not above 0; write, for example, --max-walltime \"90 min\"");
   EXPECT_CONTAINS(complaint({"--checkpoint-interval", "inf"}), "--checkpoint-interval: ");
+  EXPECT_CONTAINS(complaint({"--threads", "0"}), "\"0\" is not allowed; it must be an integer from 1 to 1024");
 }
 
 TEST(CommandLine, ReadsWhetherToGoOn) {

@@ -186,6 +186,16 @@ TEST(ReadSamples, TakeSeedsThatWereFoundBefore) {
   EXPECT_EQ(seed(2), samples_of(configuration, 2).back().recipe.packing.seed);  // beyond the list
 }
 
+TEST(ReadSamples, TakeFrictionsThatWereFoundBefore) {
+  const auto configuration = with("most_trials = 8", "most_trials = 8\nfound_preparation_frictions = [0.31, 0.29]");
+  const auto friction = [&](int replicate) {
+    return samples_of(configuration, replicate).front().recipe.preparation_friction;
+  };
+  EXPECT_EQ(friction(0), 0.31);
+  EXPECT_EQ(friction(1), 0.29);
+  EXPECT_EQ(friction(2), samples_of(with(), 2)[0].recipe.preparation_friction);  // beyond the list
+}
+
 TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:20:18: packing.lattice = 2 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");
