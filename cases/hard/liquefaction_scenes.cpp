@@ -86,7 +86,7 @@ SceneRecord no_stress_scene(const Workshop& workshop) {
   for (const double pressure : {stress, 1e-3, 1e-12, 0.0, -1.0})
     record.trials.push_back(
         attempt(fmt::format("rate of RI at sigma = {:.1e} Pa", pressure), {0.5, 1e-2, 0.5, 1.0}, [&] {
-          return rate_asked(ConstantInertialNumber{1e-4, 0.5, grains}, 0.1, pressure);
+          return rate_asked(ConstantInertialNumber{1e-4, 0.5, grains}, 0.1, pressure, 1.0);
         }));
   record.trials.push_back(
       attempt("mean stress of the bulk, Pa", {0.0, 1.0, 0.0, 50.0}, [&] { return expanded.mean_stress(); }));

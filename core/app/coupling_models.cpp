@@ -57,7 +57,7 @@ void check_portions(const Tables& table, const SlideSettings& settings, double s
     table.refuse("n_accum",
                  fmt::format("holds the stress for {:.3g} s, in which the slope swings on unanswered: at most {:.3g} s, "
                              "2/omega", duration, swing_limit), "choose a smaller one");
-  const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope));
+  const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
   if (portion > largest_portion)
     table.refuse("n_accum",
                  fmt::format("passes strain in portions of {:.3g}, in which the peak of the shear stress goes by unseen: "
@@ -84,14 +84,17 @@ RateRule read_rate_rule(const Configuration& configuration, const TableNames& ta
   const Tables coupling(configuration, tables);
   const std::string rule =
       coupling.text("rate", {"global", "constant", "constant_inertial_number", "at_least_quasi_static"});
-  coupling.accept({"inertial_number", "smallest_rate"});
+  coupling.accept({"inertial_number", "smallest_rate", "smallest_rate_from"});
   if (rule == "global") return GlobalRate{};
   const double number = coupling.number("inertial_number", Range::positive());
   if (rule == "constant")
     return ConstantStrainRate{shear_rate_for(number, grains.mean_diameter, grains.density, initial_normal_stress)};
   if (rule == "at_least_quasi_static") return GlobalRateAtLeastQuasiStatic{number, grains};
-  return ConstantInertialNumber{number, coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()),
-                                grains};
+  ConstantInertialNumber quasi_static{
+      number, coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()), grains};
+  if (coupling.has("smallest_rate_from"))
+    quasi_static.smallest_rate_from = coupling.number("smallest_rate_from", Range::not_negative());
+  return quasi_static;
 }
 
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables) {

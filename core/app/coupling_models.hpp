@@ -20,7 +20,8 @@ StressHistory read_loading(const Configuration& configuration, const TableNames&
                            const std::filesystem::path& folder);
 
 /// rate = "global", "constant" (that of inertial_number at the initial normal stress of the slope, Pa),
-/// "constant_inertial_number" (inertial_number, smallest_rate) or "at_least_quasi_static" (inertial_number).
+/// "constant_inertial_number" (inertial_number, smallest_rate, smallest_rate_from) or
+/// "at_least_quasi_static" (inertial_number).
 RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
                         double initial_normal_stress);
 

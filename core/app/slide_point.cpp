@@ -133,8 +133,8 @@ double predicted_steps(const SlideSettings& settings, const StopConditions& stop
   }
   double duration = time;
   if (const auto* rule = std::get_if<ConstantInertialNumber>(&settings.rate)) {
-    const double first = rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope));
-    duration = strain_at_peak / first + strain / std::max(rule->smallest_rate, 1e-3 * first);
+    const double first = rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
+    duration = std::max(strain_at_peak, rule->smallest_rate_from) / first + strain / std::max(rule->smallest_rate, 1e-3 * first);
   }
   if (const auto* rule = std::get_if<ConstantStrainRate>(&settings.rate)) duration = strain / rule->rate;
   const bool waits = std::holds_alternative<AccumulateAndReset>(settings.passing.rule) ||

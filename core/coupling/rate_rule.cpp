@@ -2,6 +2,7 @@
 #include "coupling/rate_rule.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grains/measures.hpp"
 #include "grains/require.hpp"
@@ -25,6 +26,8 @@ void check(const ConstantInertialNumber& rule) {
   check(rule.inertial_number, rule.grains);
   require(rule.smallest_rate >= 0.0, "smallest strain rate", rule.smallest_rate, ">= 0 1/s",
           "It bounds the time that a liquefied sample takes.");
+  require(rule.smallest_rate_from >= 0.0, "strain from which the smallest strain rate holds", rule.smallest_rate_from,
+          ">= 0", "0 lets it hold from the start.");
 }
 
 void check(const GlobalRateAtLeastQuasiStatic& rule) { check(rule.inertial_number, rule.grains); }
@@ -34,15 +37,16 @@ double rate_at(double inertial_number, const GrainScale& grains, double pressure
   return shear_rate_for(inertial_number, grains.mean_diameter, grains.density, pressure);
 }
 
-double asked(const GlobalRate&, double global_rate, double) { return global_rate; }
+double asked(const GlobalRate&, double global_rate, double, double) { return global_rate; }
 
-double asked(const ConstantStrainRate& rule, double, double) { return rule.rate; }
+double asked(const ConstantStrainRate& rule, double, double, double) { return rule.rate; }
 
-double asked(const ConstantInertialNumber& rule, double, double pressure) {
-  return std::max(rate_at(rule.inertial_number, rule.grains, pressure), rule.smallest_rate);
+double asked(const ConstantInertialNumber& rule, double, double pressure, double shear_strain) {
+  const double floor = std::abs(shear_strain) >= rule.smallest_rate_from ? rule.smallest_rate : 0.0;
+  return std::max(rate_at(rule.inertial_number, rule.grains, pressure), floor);
 }
 
-double asked(const GlobalRateAtLeastQuasiStatic& rule, double global_rate, double pressure) {
+double asked(const GlobalRateAtLeastQuasiStatic& rule, double global_rate, double pressure, double) {
   return std::max(global_rate, rate_at(rule.inertial_number, rule.grains, pressure));
 }
 
@@ -52,8 +56,8 @@ void validate(const RateRule& rule) {
   std::visit([](const auto& kind) { check(kind); }, rule);
 }
 
-double rate_asked(const RateRule& rule, double global_rate, double pressure) {
-  return std::visit([=](const auto& kind) { return asked(kind, global_rate, pressure); }, rule);
+double rate_asked(const RateRule& rule, double global_rate, double pressure, double shear_strain) {
+  return std::visit([=](const auto& kind) { return asked(kind, global_rate, pressure, shear_strain); }, rule);
 }
 
 }  // namespace flowslide

@@ -21,11 +21,13 @@ struct ConstantStrainRate {
 };
 
 /// RI: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to 0 with p, which
-/// would take for ever: it is never below `smallest_rate`, and what was used is the rate asked for.
+/// would take for ever: beyond a strain it is never below `smallest_rate`, and what was used is the rate asked for. Up to
+/// that strain, through the peak, a floor would raise tau.
 struct ConstantInertialNumber {
   double inertial_number = 1e-4;  ///< I, > 0
   double smallest_rate = 0.5;     ///< 1/s, >= 0
   GrainScale grains;
+  double smallest_rate_from = 0.0;  ///< shear strain of the slope, either way, from which that holds, >= 0
 };
 
 /// RD made quick where the rate does not matter: the rate of the slope, or the rate that keeps I at a value taken for
@@ -40,8 +42,8 @@ using RateRule = std::variant<GlobalRate, ConstantStrainRate, ConstantInertialNu
 /// Throws std::invalid_argument if a value is out of its range.
 void validate(const RateRule& rule);
 
-/// The rate asked for, 1/s, >= 0, when the slope strains at `global_rate` (1/s, >= 0) and the sample bears `pressure`
-/// (Pa; less than nothing counts as nothing).
-double rate_asked(const RateRule& rule, double global_rate, double pressure);
+/// The rate asked for, 1/s, >= 0, when the slope strains at `global_rate` (1/s, >= 0), has sheared by `shear_strain` and
+/// the sample bears `pressure` (Pa; less than nothing counts as nothing).
+double rate_asked(const RateRule& rule, double global_rate, double pressure, double shear_strain);
 
 }  // namespace flowslide

@@ -41,7 +41,7 @@ void Slide::step() {
   state_.strain += increment;
   state_.global_rate = increment.norm() / settings_.time_step;
   // sigma stands for p: what glued layers wedge between them keeps the mean stress of the cell up when sigma is gone.
-  state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal);
+  state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal, state_.strain.shear);
   const bool resting =
       settings_.rest && rests(*settings_.rest, state_.rest, increment.norm(), sample_.stress().normal);
   run_sample(resting ? LocalRun{} : pass(settings_.passing, state_.owed, increment, state_.rate_asked));

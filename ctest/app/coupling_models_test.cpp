@@ -29,6 +29,7 @@ local_time_step = "1e-5 s"
 rate = "constant_inertial_number"
 inertial_number = 1e-4
 smallest_rate = "0.5 1/s"
+smallest_rate_from = "2 %"
 passing = "carry_remainder"
 n_accum = 10
 most_steps = 100000
@@ -112,6 +113,7 @@ TEST(ReadCoupling, TakesEveryValue) {
   const auto& rule = std::get<ConstantInertialNumber>(settings.rate);
   EXPECT_EQ(rule.inertial_number, 1e-4);
   EXPECT_EQ(rule.smallest_rate, 0.5);
+  EXPECT_EQ(rule.smallest_rate_from, 0.02);
   EXPECT_EQ(rule.grains.mean_diameter, 6e-3);
   EXPECT_EQ(std::get<CarryRemainder>(settings.passing.rule).least_steps, 10);
   EXPECT_EQ(settings.passing.time_step, 1e-5);
@@ -180,6 +182,7 @@ TEST(ReadCoupling, RefusesValuesOutOfRange) {
   EXPECT_CONTAINS(coupling_complaint("\"1e-3 m/s\"", "\"-1e-3 m/s\""), "slope.hydraulic_conductivity");
   EXPECT_CONTAINS(coupling_complaint("inertial_number = 1e-4", "inertial_number = 0"), "it must be above 0");
   EXPECT_CONTAINS(coupling_complaint("\"0.5 1/s\"", "\"-0.5 1/s\""), "coupling.smallest_rate");
+  EXPECT_CONTAINS(coupling_complaint("\"2 %\"", "\"-2 %\""), "coupling.smallest_rate_from");
   EXPECT_CONTAINS(coupling_complaint("\"carry_remainder\"", "\"carry\""), "did you mean \"carry_remainder\"?");
 }
 
@@ -205,9 +208,9 @@ TEST(ReadCoupling, RefusesATimeStepBeyondTheLimitOfStabilityUnlessAllowed) {
 }
 
 TEST(ReadCoupling, RefusesPortionsThatHideThePeakOfTheSample) {
-  const std::string rate = "inertial_number = 1e-4";  // 0.0545 1/s at sigma_0; the floor is 0.5 1/s
-  EXPECT_NO_THROW(coupling_of(with("n_accum = 10", "n_accum = 199")));
-  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 210"), "portions of 0.00105");
+  const std::string rate = "inertial_number = 1e-4";  // 0.0545 1/s at sigma_0; the floor comes later
+  EXPECT_NO_THROW(coupling_of(with("n_accum = 10", "n_accum = 1700")));
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 2000"), "portions of 0.00109");
   EXPECT_CONTAINS(coupling_complaint(rate, "inertial_number = 1e-1"), "n_accum = 10 passes strain in portions");
 }
 
@@ -216,7 +219,7 @@ TEST(ReadCoupling, RefusesToHoldTheStressOfRDForLongerThanASwing) {
   Configuration configuration = with(rate, "rate = \"global\"");
   EXPECT_NO_THROW(coupling_of(configuration));  // 1e-4 s; 2/omega is 12.9 ms
   const std::string rest = "\npassing = \"carry_remainder\"\nn_accum = 10";
-  EXPECT_CONTAINS(coupling_complaint(rate + "\nsmallest_rate = \"0.5 1/s\"" + rest,
+  EXPECT_CONTAINS(coupling_complaint(rate + "\nsmallest_rate = \"0.5 1/s\"\nsmallest_rate_from = \"2 %\"" + rest,
                                      "rate = \"global\"" + rest.substr(0, rest.size() - 2) + "1400"),
                   "holds the stress for 0.014 s");
 }

@@ -12,36 +12,44 @@ namespace flowslide {
 namespace {
 
 TEST(RateRule, GlobalRateIsThatOfTheSlope) {
-  EXPECT_EQ(rate_asked(GlobalRate{}, 3.7, 28e3), 3.7);
-  EXPECT_EQ(rate_asked(GlobalRate{}, 0.0, 28e3), 0.0);
+  EXPECT_EQ(rate_asked(GlobalRate{}, 3.7, 28e3, 1.0), 3.7);
+  EXPECT_EQ(rate_asked(GlobalRate{}, 0.0, 28e3, 1.0), 0.0);
 }
 
 TEST(RateRule, ConstantStrainRateKnowsNeitherSlopeNorPressure) {
-  for (const double pressure : {-10.0, 0.0, 28e3}) EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 5.0, pressure), 0.06);
-  EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 0.0, 28e3), 0.06);
+  for (const double pressure : {-10.0, 0.0, 28e3})
+    EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 5.0, pressure, 1.0), 0.06);
+  EXPECT_EQ(rate_asked(ConstantStrainRate{0.06}, 0.0, 28e3, 1.0), 0.06);
 }
 
 TEST(RateRule, ConstantInertialNumberFollowsThePressure) {
   const ConstantInertialNumber rule{1e-4, 0.0, {6e-3, 2650.0}};
   // 0.06 1/s is I = 1.1e-4 at 28 kPa (paper, sec. 2.2.1), to the two digits printed.
-  EXPECT_NEAR(rate_asked(rule, 5.0, 28e3), 0.06 / 1.1, 0.05 * 0.06);
+  EXPECT_NEAR(rate_asked(rule, 5.0, 28e3, 1.0), 0.06 / 1.1, 0.05 * 0.06);
   for (const double pressure : {1.0, 1e3, 28.34e3})
-    EXPECT_NEAR(inertial_number(rate_asked(rule, 5.0, pressure), 6e-3, 2650.0, pressure), 1e-4, 1e-16);
+    EXPECT_NEAR(inertial_number(rate_asked(rule, 5.0, pressure, 1.0), 6e-3, 2650.0, pressure), 1e-4, 1e-16);
 }
 
 TEST(RateRule, ConstantInertialNumberHasAFloorWhenThePressureIsGone) {
   const ConstantInertialNumber rule{1e-4, 0.5, {}};
-  for (const double pressure : {0.0, -10.0, 1e-3}) EXPECT_EQ(rate_asked(rule, 5.0, pressure), 0.5) << pressure;
-  EXPECT_EQ(rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 5.0, 0.0), 0.0);
-  EXPECT_GT(rate_asked(rule, 0.0, 1e9), 0.5);
+  for (const double pressure : {0.0, -10.0, 1e-3}) EXPECT_EQ(rate_asked(rule, 5.0, pressure, 1.0), 0.5) << pressure;
+  EXPECT_EQ(rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 5.0, 0.0, 1.0), 0.0);
+  EXPECT_GT(rate_asked(rule, 0.0, 1e9, 1.0), 0.5);
+}
+
+TEST(RateRule, TheFloorHoldsFromAStrainOn) {
+  const ConstantInertialNumber rule{1e-4, 0.5, {}, 0.01};
+  for (const double strain : {0.0, 0.0099, -0.0099})
+    EXPECT_EQ(rate_asked(rule, 5.0, 28e3, strain), rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 5.0, 28e3, strain));
+  for (const double strain : {0.01, 3.0, -0.01}) EXPECT_EQ(rate_asked(rule, 5.0, 28e3, strain), 0.5);
 }
 
 TEST(RateRule, AtLeastQuasiStaticIsTheFasterOfTheTwo) {
   const GlobalRateAtLeastQuasiStatic rule{1e-4, {}};
-  const double quasi_static = rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 0.0, 28e3);
-  EXPECT_EQ(rate_asked(rule, 0.5 * quasi_static, 28e3), quasi_static);
-  EXPECT_EQ(rate_asked(rule, 2.0 * quasi_static, 28e3), 2.0 * quasi_static);
-  EXPECT_EQ(rate_asked(rule, 3.0, 0.0), 3.0);
+  const double quasi_static = rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 0.0, 28e3, 1.0);
+  EXPECT_EQ(rate_asked(rule, 0.5 * quasi_static, 28e3, 1.0), quasi_static);
+  EXPECT_EQ(rate_asked(rule, 2.0 * quasi_static, 28e3, 1.0), 2.0 * quasi_static);
+  EXPECT_EQ(rate_asked(rule, 3.0, 0.0, 1.0), 3.0);
 }
 
 TEST(RateRule, RefusesValuesOutOfRange) {
@@ -51,6 +59,7 @@ TEST(RateRule, RefusesValuesOutOfRange) {
   EXPECT_THROW(validate(RateRule{ConstantStrainRate{std::nan("")}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{0.0, 0.5, {}}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{1e-4, -0.5, {}}}), std::invalid_argument);
+  EXPECT_THROW(validate(RateRule{ConstantInertialNumber{1e-4, 0.5, {}, -0.01}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{ConstantInertialNumber{1e-4, 0.5, {0.0, 2650.0}}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{GlobalRateAtLeastQuasiStatic{1e-4, {6e-3, -1.0}}}), std::invalid_argument);
   EXPECT_THROW(validate(RateRule{GlobalRateAtLeastQuasiStatic{std::nan(""), {}}}), std::invalid_argument);

@@ -245,7 +245,7 @@ TEST(SlideAccuracy, Eq15LosesTheRateAsTheGlobalStepShrinks) {
 TEST(SlideAccuracy, Eq15DriftsToTheQuasiStaticAnswerAsTheGlobalStepShrinks) {
   // What Fig. 6 shows, on a sample whose tau has a part eta d(gamma)/dt_L: 10 kPa at the rate asked for.
   const ConstantInertialNumber constant{1e-2, 0.0, {}};
-  const double viscosity = 1e4 / rate_asked(constant, 0.0, initial_normal_stress(SlopeProperties{}));
+  const double viscosity = 1e4 / rate_asked(constant, 0.0, initial_normal_stress(SlopeProperties{}), 0.0);
   const auto viscous_stress = [&](const PassingRule& rule, double time_step) {
     SlideSettings settings = swinging(time_step, rule, 1e-6);
     settings.rate = constant;
