@@ -22,7 +22,7 @@ rows(s, i) = "< ".of_axis(s, i, "")
 has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
 paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], \
                                shell_quoted(data("paper.dat")))))
-least_error = 1e-4; largest_error = 100.0
+least_error = 1e-3; largest_error = 100.0
 
 set datafile separator "\t"
 set logscale xy
@@ -32,6 +32,7 @@ do for [format in "png pdf"] {
   eval terminal(format, 18, 10)
   set output picture.".".format
   set multiplot layout 1, 3
+  set bmargin 9   # the same for all, whatever their keys hold
   set xlabel "time on one core (s)"
   do for [s = 1:3] {
     set title panel(word("A B C", s), title[s])
