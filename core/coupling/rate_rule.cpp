@@ -26,7 +26,7 @@ void check(const ConstantInertialNumber& rule) {
   check(rule.inertial_number, rule.grains);
   require(rule.smallest_rate >= 0.0, "smallest strain rate", rule.smallest_rate, ">= 0 1/s",
           "It bounds the time that a liquefied sample takes.");
-  require(rule.smallest_rate_from >= 0.0, "strain from which the smallest strain rate holds", rule.smallest_rate_from,
+  require(rule.smallest_rate_from >= 0.0, "strain from which the floor is the smallest strain rate", rule.smallest_rate_from,
           ">= 0", "0 lets it hold from the start.");
 }
 
@@ -42,8 +42,9 @@ double asked(const GlobalRate&, double global_rate, double, double) { return glo
 double asked(const ConstantStrainRate& rule, double, double, double) { return rule.rate; }
 
 double asked(const ConstantInertialNumber& rule, double, double pressure, double shear_strain) {
-  const double floor = std::abs(shear_strain) >= rule.smallest_rate_from ? rule.smallest_rate : 0.0;
-  return std::max(rate_at(rule.inertial_number, rule.grains, pressure), floor);
+  const double strain = std::abs(shear_strain);
+  const double share = strain < rule.smallest_rate_from ? strain / rule.smallest_rate_from : 1.0;
+  return std::max(rate_at(rule.inertial_number, rule.grains, pressure), rule.smallest_rate * share * share);
 }
 
 double asked(const GlobalRateAtLeastQuasiStatic& rule, double global_rate, double pressure, double) {

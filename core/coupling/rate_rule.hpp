@@ -21,13 +21,13 @@ struct ConstantStrainRate {
 };
 
 /// RI: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to 0 with p, which
-/// would take for ever: beyond a strain it is never below `smallest_rate`, and what was used is the rate asked for. Up to
-/// that strain, through the peak, a floor would raise tau.
+/// would take for ever: it is never below a floor, and what was used is the rate asked for. As a floor would raise the
+/// peak, it grows with the square of the slope's shear strain up to `smallest_rate`.
 struct ConstantInertialNumber {
   double inertial_number = 1e-4;  ///< I, > 0
   double smallest_rate = 0.5;     ///< 1/s, >= 0
   GrainScale grains;
-  double smallest_rate_from = 0.0;  ///< shear strain of the slope, either way, from which that holds, >= 0
+  double smallest_rate_from = 0.0;  ///< shear strain, either way, from which the floor is that, >= 0
 };
 
 /// RD made quick where the rate does not matter: the rate of the slope, or the rate that keeps I at a value taken for

@@ -37,11 +37,13 @@ TEST(RateRule, ConstantInertialNumberHasAFloorWhenThePressureIsGone) {
   EXPECT_GT(rate_asked(rule, 0.0, 1e9, 1.0), 0.5);
 }
 
-TEST(RateRule, TheFloorHoldsFromAStrainOn) {
+TEST(RateRule, TheFloorGrowsWithTheSquareOfTheStrain) {
   const ConstantInertialNumber rule{1e-4, 0.5, {}, 0.01};
-  for (const double strain : {0.0, 0.0099, -0.0099})
-    EXPECT_EQ(rate_asked(rule, 5.0, 28e3, strain), rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 5.0, 28e3, strain));
+  for (const double strain : {0.001, 0.004, 0.008, -0.008})
+    EXPECT_DOUBLE_EQ(rate_asked(rule, 5.0, 0.0, strain), 0.5 * strain * strain / 1e-4);
   for (const double strain : {0.01, 3.0, -0.01}) EXPECT_EQ(rate_asked(rule, 5.0, 28e3, strain), 0.5);
+  // Before the peak it is that of I.
+  EXPECT_EQ(rate_asked(rule, 5.0, 28e3, 0.002), rate_asked(ConstantInertialNumber{1e-4, 0.0, {}}, 5.0, 28e3, 0.002));
 }
 
 TEST(RateRule, AtLeastQuasiStaticIsTheFasterOfTheTwo) {
