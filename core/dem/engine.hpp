@@ -16,7 +16,9 @@ struct EngineError : std::runtime_error {
 
 /// How the boundaries move from now on. Zero everywhere holds the cell still.
 struct BoundaryMotion {
-  /// Velocities of the two glued layers, m/s; their z components also move the planes behind them.
+  /// Velocities of the two glued layers, m/s; their z components also move the planes behind them. In a cell that is
+  /// periodic along z they are those of its faces: along x they shear it (see Cell::shear_velocity), and a change gives
+  /// the grains that of the linear field (see NativeEngine); along z they carry all grains affinely, as periods do.
   Vector3 bottom_velocity = Vector3::Zero();
   Vector3 top_velocity = Vector3::Zero();
   /// Rates of compression of the cell along x and y about its centre, 1/s, positive when it becomes shorter. A rigid
@@ -53,7 +55,7 @@ class Engine {
   virtual ~Engine() = default;
 
   /// Replaces what is simulated. Forces and histories are taken as they are, so that `load(save(), settings)` changes
-  /// nothing that a later `run` computes, up to rounding. The boundaries stand still until `move`.
+  /// nothing that a later `run` computes, up to rounding. Until `move`, sheared faces slide on, all else stands still.
   virtual void load(const Assembly& assembly, const EngineSettings& settings) = 0;
   /// The state at the end of the last step; positions along a periodic axis are folded into the cell.
   virtual Assembly save() const = 0;

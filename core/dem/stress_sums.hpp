@@ -12,13 +12,15 @@ struct StressSums {
   Vector3 top_force = Vector3::Zero();                  ///< of the top layer and the plane behind it on mobile grains
   Vector3 upper_plane = Vector3::Zero();                ///< forces of the upper planes, each along its axis
   double pair_virial_x = 0.0, pair_virial_y = 0.0;      ///< sums over pairs of l_x f_x and l_y f_y
+  Vector3 pair_virial_z = Vector3::Zero();              ///< sum over pairs of l_z f
 };
 
 /// Bagi's stress (eq. 12) of horizontal sections, in the form of `section_stress_from_forces`, and the lateral
 /// stresses: a rigid axis has that form as well, along a periodic one only pairs know the branch vector.
 inline CellStress stress_of(const StressSums& sums, const Cell& cell) {
   // Compression positive: sum of z f - H F_top; the sign of shear is turned, as in `slope_stress`.
-  const Vector3 section = (sums.mobile_height_times_force - cell.height() * sums.top_force) / cell.volume();
+  const Vector3 rigid = sums.mobile_height_times_force - cell.height() * sums.top_force;
+  const Vector3 section = (cell.periodic[2] ? sums.pair_virial_z : rigid) / cell.volume();
   const auto lateral = [&](int axis, double pair_virial) {
     return (cell.periodic[axis] ? pair_virial
                                 : sums.mobile_moment[axis] - cell.lengths()[axis] * sums.upper_plane[axis]) /

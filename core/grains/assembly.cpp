@@ -10,9 +10,15 @@ namespace flowslide {
 
 Vector3 Cell::nearest_image(Vector3 separation) const {
   const Vector3 length = lengths();
+  if (shear_offset != 0.0) separation.x() -= shear_offset * std::round(separation.z() / length.z());
   for (int axis = 0; axis < 3; ++axis)
     if (periodic[axis]) separation[axis] -= length[axis] * std::round(separation[axis] / length[axis]);
   return separation;
+}
+
+Vector3 Cell::nearest_image_velocity(const Vector3& separation) const {
+  if (shear_velocity == 0.0) return Vector3::Zero();
+  return std::round(separation.z() / height()) * shear_velocity * Vector3::UnitX();
 }
 
 void Assembly::resize(std::size_t n) {

@@ -14,6 +14,11 @@ struct Cell {
   Vector3 lower = Vector3::Zero();            ///< m
   Vector3 upper = Vector3::Zero();            ///< m
   std::array<bool, 3> periodic{false, false, false};
+  /// Of a cell that is periodic along z and sheared (A. W. Lees and S. F. Edwards, J. Phys. C 5 (1972) 1921-1929): its
+  /// image above lies this much further along x, m, at most half a period, and the image below as much behind.
+  double shear_offset = 0.0;
+  /// By how much the image above is faster along x, m/s: the shear rate times the height.
+  double shear_velocity = 0.0;
 
   Vector3 lengths() const { return upper - lower; }
   double volume() const { return lengths().prod(); }
@@ -22,6 +27,9 @@ struct Cell {
   double height() const { return lengths().z(); }
   /// `separation` (m) replaced by its nearest periodic image.
   Vector3 nearest_image(Vector3 separation) const;
+  /// Velocity (m/s) of the second of two grains' image that is nearest to the first, relative to the second itself, from
+  /// their `separation` x_first - x_second (m).
+  Vector3 nearest_image_velocity(const Vector3& separation) const;
 };
 
 /// What moves a grain: Newton's law, or one of the two layers glued to the bottom and the top of the cell.

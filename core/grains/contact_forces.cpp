@@ -40,13 +40,14 @@ Contact evaluate_pair(const Assembly& assembly, const Material& material, const 
   Contact contact;
   contact.first = i;
   contact.second = j;
-  contact.branch = assembly.cell.nearest_image(assembly.position[i] - assembly.position[j]);
+  const Vector3 apart = assembly.position[i] - assembly.position[j];
+  contact.branch = assembly.cell.nearest_image(apart);
   const double distance = contact.branch.norm();
   contact.overlap = assembly.radius[i] + assembly.radius[j] - distance;
   ContactKinematics motion;
   motion.normal = contact.branch / distance;
   motion.overlap = contact.overlap;
-  motion.relative_velocity = half.velocity[i] - half.velocity[j];
+  motion.relative_velocity = half.velocity[i] - half.velocity[j] - assembly.cell.nearest_image_velocity(apart);
   motion.spin_first = half.spin[i];
   motion.spin_second = half.spin[j];
   contact.point_from_first = -(assembly.radius[i] - 0.5 * contact.overlap) * motion.normal;

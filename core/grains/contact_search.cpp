@@ -45,6 +45,8 @@ class Grid {
   using Box = std::array<int, 3>;
 
   int boxes_along(int axis, double width, std::size_t grains) const {
+    // In a sheared cell the boxes above do not stand over those below.
+    if (axis == 0 && cell_.shear_offset != 0.0) return 1;
     // No more boxes than about eight per grain, however large the cell.
     const double most = 2.0 * std::cbrt(static_cast<double>(grains)) + 1.0;
     const double fitting = std::min(std::floor(cell_.lengths()[axis] / width), most);

@@ -9,15 +9,18 @@
 namespace flowslide {
 namespace {
 
-/// Mean v_x over the solid between two heights, m/s.
+/// Mean v_x over the solid between two heights, m/s, relative to the bottom.
 double mean_velocity(const Assembly& assembly, double lower, double upper) {
+  const Cell& cell = assembly.cell;
+  const int images = cell.periodic[2] ? 1 : 0;
   double flux = 0.0, solid = 0.0;
-  for (std::size_t i = 0; i < assembly.size(); ++i) {
-    const double z = assembly.position[i].z(), radius = assembly.radius[i];
-    const double volume = volume_below(radius, upper - z) - volume_below(radius, lower - z);
-    flux += volume * assembly.velocity[i].x();
-    solid += volume;
-  }
+  for (std::size_t i = 0; i < assembly.size(); ++i)
+    for (int image = -images; image <= images; ++image) {
+      const double z = assembly.position[i].z() + image * cell.height(), radius = assembly.radius[i];
+      const double volume = volume_below(radius, upper - z) - volume_below(radius, lower - z);
+      flux += volume * (assembly.velocity[i].x() + (image + 0.5) * cell.shear_velocity);
+      solid += volume;
+    }
   require(solid > 0.0, "solid volume of a sublayer", solid, "> 0 m^3", "Use fewer sublayers.");
   return flux / solid;
 }

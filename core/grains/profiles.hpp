@@ -10,7 +10,9 @@ namespace flowslide {
 /// All arrays have shape (sublayers).
 struct Profiles {
   std::vector<double> height;         ///< z of the middle of each, m above the bottom
-  std::vector<double> velocity;       ///< <v_x>, m/s, positive downslope: mean over the solid volume in the sublayer
+  std::vector<double> velocity;       ///< <v_x>, m/s, positive downslope, relative to the bottom: mean over the solid volume in
+                                      ///< the sublayer. The lower face of a sheared cell (see Cell) is its bottom, and
+                                      ///< moves as fast as its upper face, to the other side
   std::vector<double> shear_stress;   ///< <tau>, Pa, positive downslope (see slab_stress)
   std::vector<double> normal_stress;  ///< <sigma>, Pa, compression positive
 };

@@ -13,7 +13,8 @@ namespace flowslide {
 Matrix3 slab_stress(const Assembly& assembly, const ContactForces& forces, double lower, double upper);
 
 /// Stress of the part of the sample that is a mean diameter or more away from the z planes. Glued layers hold wedged
-/// grains whose horizontal forces survive liquefaction; they are not part of it.
+/// grains whose horizontal forces survive liquefaction; they are not part of it. A cell that is periodic along z has none,
+/// and is bulk as a whole.
 Matrix3 bulk_stress(const Assembly& assembly, const ContactForces& forces);
 
 }  // namespace flowslide

@@ -48,6 +48,7 @@ struct Difference {
     velocity = largest(a.velocity, b.velocity);
     for (std::size_t i = 0; i < a.size(); ++i)
       position = std::max(position, a.cell.nearest_image(a.position[i] - b.position[i]).norm());
+    if (a.cell.periodic[2]) return;  // LIGGGHTS tells no stress then; see sheared_cell_test
     const CellStress s = engines.native.cell_stress(), t = engines.reference.cell_stress();
     const double scale = std::abs(t.normal) + std::abs(t.lateral_x) + std::abs(t.lateral_y);
     for (auto part : {&CellStress::normal, &CellStress::shear, &CellStress::transverse, &CellStress::lateral_x,

@@ -31,6 +31,19 @@ TEST(Cell, NearestImageWrapsPeriodicAxesOnly) {
   EXPECT_EQ(cell.nearest_image(Vector3(-8.5, 0.0, 17.0)), Vector3(-0.5, 0.0, 1.0));
 }
 
+TEST(Cell, ImagesAboveAShearedCellAreFurtherAndFaster) {
+  Cell cell = example_cell();  // 2 m x 4 m x 8 m
+  cell.periodic = {true, false, true};
+  cell.shear_offset = 0.75;
+  cell.shear_velocity = 3.0;
+  EXPECT_EQ(cell.nearest_image(Vector3(0.5, 3.5, 7.0)), Vector3(-0.25, 3.5, -1.0));
+  EXPECT_EQ(cell.nearest_image(Vector3(0.5, 3.5, -7.0)), Vector3(-0.75, 3.5, 1.0));  // 1.25 is beyond half a period
+  EXPECT_EQ(cell.nearest_image(Vector3(0.5, 3.5, 1.0)), Vector3(0.5, 3.5, 1.0));
+  EXPECT_EQ(cell.nearest_image_velocity(Vector3(0.5, 3.5, 7.0)), Vector3(3.0, 0.0, 0.0));
+  EXPECT_EQ(cell.nearest_image_velocity(Vector3(0.5, 3.5, -15.0)), Vector3(-6.0, 0.0, 0.0));
+  EXPECT_EQ(cell.nearest_image_velocity(Vector3(0.5, 3.5, 1.0)), Vector3(0.0, 0.0, 0.0));
+}
+
 TEST(Assembly, ResizeAddsMobileGrainsAtRest) {
   Assembly assembly;
   assembly.resize(2);

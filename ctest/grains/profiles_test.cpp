@@ -39,6 +39,22 @@ TEST(Profiles, VelocityOfSimpleShearIsLinear) {
   }
 }
 
+TEST(Profiles, VelocityOfACellShearedAcrossItsFacesIsThatAboveTheLowerOne) {
+  Assembly assembly = sheared();
+  assembly.cell.periodic[2] = true;
+  assembly.cell.shear_velocity = 3.0 * assembly.cell.height();
+  for (Role& role : assembly.role) role = Role::mobile;
+  const double middle = 0.5 * (assembly.cell.lower.z() + assembly.cell.upper.z());
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    assembly.position[i].z() += 2e-3;  // the last layer pokes through the upper face, and in at the lower
+    assembly.velocity[i] = {3.0 * (assembly.position[i].z() - middle), 0.0, 0.0};
+  }
+  const Profiles found = profiles(assembly, evaluate_contact_forces(assembly, Material{}, 0.0), 5);
+  // Of the solid's mean height in a sublayer, which is not its middle: less than half a radius off.
+  for (std::size_t layer = 0; layer < 5; ++layer)
+    EXPECT_NEAR(found.velocity[layer], 3.0 * found.height[layer], 3.0 * 1.5e-3);
+}
+
 TEST(Profiles, OfOneSublayerAreTheWhole) {
   const Assembly assembly = sheared();
   const ContactForces forces = evaluate_contact_forces(assembly, Material{}, 0.0);

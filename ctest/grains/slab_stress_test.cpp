@@ -52,6 +52,20 @@ TEST(SlabStress, SlabsAddUpToTheWholeCell) {
   EXPECT_LT((mean - whole).norm(), 1e-12 * whole.norm());
 }
 
+TEST(SlabStress, AllOfACellThatIsPeriodicAlongZIsBulk) {
+  Assembly assembly = touching_lattice(4, 6);
+  assembly.cell.periodic[2] = true;
+  assembly.cell.shear_offset = 1e-4;
+  for (Role& role : assembly.role) role = Role::mobile;
+  const ContactForces forces = evaluate_contact_forces(assembly, Material{}, 0.0);
+  const Matrix3 virial = bagi_stress(assembly, forces);
+  EXPECT_LT((bulk_stress(assembly, forces) - virial).norm(), 1e-12 * virial.norm());
+  const double height = assembly.cell.height();
+  Matrix3 mean = Matrix3::Zero();
+  for (int k = 0; k < 10; ++k) mean += 0.1 * slab_stress(assembly, forces, 0.1 * k * height, 0.1 * (k + 1) * height);
+  EXPECT_LT((mean - virial).norm(), 1e-12 * virial.norm());
+}
+
 TEST(SlabStress, BulkOfAUniformLatticeIsTheStressOfItsSections) {
   Assembly assembly = touching_lattice(4, 8);
   for (std::size_t i = 0; i < assembly.size(); ++i) {  // a perfect lattice

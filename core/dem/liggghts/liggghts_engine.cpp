@@ -61,6 +61,15 @@ Vector3 fold(const Cell& cell, Vector3 position) {
   return position;
 }
 
+/// Sliding faces are images that LIGGGHTS does not have.
+void refuse_sliding_faces(const Cell& cell, const BoundaryMotion& motion) {
+  const bool slides = cell.shear_offset != 0.0 || cell.shear_velocity != 0.0;
+  const bool moves = motion.bottom_velocity != Vector3::Zero() || motion.top_velocity != Vector3::Zero();
+  if (slides || (cell.periodic[2] && moves))
+    throw EngineError("LIGGGHTS neither shears nor compresses a cell across periodic faces along z; choose --engine "
+                      "native, or a sample with glued layers");
+}
+
 }  // namespace
 
 LiggghtsEngine::LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated)
@@ -70,6 +79,7 @@ LiggghtsEngine::LiggghtsEngine(std::filesystem::path log, SeparatedHistory separ
 LiggghtsEngine::~LiggghtsEngine() = default;
 
 void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settings) {
+  refuse_sliding_faces(assembly.cell, {});
   settings_ = settings;
   motion_ = {};
   grains_ = assembly.size();
@@ -161,6 +171,7 @@ void LiggghtsEngine::set(const EngineSettings& settings) {
 }
 
 void LiggghtsEngine::move(const BoundaryMotion& motion) {
+  refuse_sliding_faces(steering_->cell(), motion);
   motion_ = motion;
   steering_->move(motion);
 }
@@ -185,11 +196,13 @@ void LiggghtsEngine::advance(int steps) {
 }
 
 CellStress LiggghtsEngine::cell_stress() const {
+  if (steering_->cell().periodic[2])
+    throw EngineError("LIGGGHTS does not tell the shear stress of a cell that is periodic along z; choose --engine native");
   StressSums sums = steering_->sums();
   sums.pair_virial_x = (*instance_)->force->pair->virial[0];
   sums.pair_virial_y = (*instance_)->force->pair->virial[1];
-  static_assert(sizeof(StressSums) == 14 * sizeof(double), "summed over the ranks as numbers in a row");
-  MPI_Allreduce(MPI_IN_PLACE, &sums, 14, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  static_assert(sizeof(StressSums) == 17 * sizeof(double), "summed over the ranks as numbers in a row");
+  MPI_Allreduce(MPI_IN_PLACE, &sums, 17, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   return stress_of(sums, steering_->cell());
 }
 

@@ -17,8 +17,15 @@ std::array<double, 3> rates(const BoundaryMotion& motion) {
 
 }  // namespace
 
+void Boundaries::move(const BoundaryMotion& motion) {
+  motion_ = motion;
+  if (cell_.periodic[2]) cell_.shear_velocity = motion.top_velocity.x() - motion.bottom_velocity.x();
+}
+
 void Boundaries::advance() {
   const double step = settings_.time_step;
+  lower_before_ = cell_.lower.z();
+  height_before_ = cell_.height();
   cell_.lower.z() += step * motion_.bottom_velocity.z();
   cell_.upper.z() += step * motion_.top_velocity.z();
   for (int axis = 0; axis < 2; ++axis) {
@@ -27,12 +34,26 @@ void Boundaries::advance() {
     if (factor == 1.0) continue;
     cell_.lower[axis] = centre + factor * (cell_.lower[axis] - centre);
     cell_.upper[axis] = centre + factor * (cell_.upper[axis] - centre);
+    if (axis == 0) cell_.shear_offset *= factor;
   }
+  if (!cell_.periodic[2]) return;
+  cell_.shear_offset += step * cell_.shear_velocity;
+  const double periods = std::round(cell_.shear_offset / cell_.lengths().x());
+  renumbers_ = periods != 0.0;
+  if (renumbers_) cell_.shear_offset -= periods * cell_.lengths().x();
+}
+
+bool Boundaries::moves_faces() const {
+  return cell_.periodic[2] && (motion_.bottom_velocity.z() != 0.0 || motion_.top_velocity.z() != 0.0);
 }
 
 bool Boundaries::carries() const {
   return (cell_.periodic[0] && motion_.compression_rate_x != 0.0) ||
-         (cell_.periodic[1] && motion_.compression_rate_y != 0.0);
+         (cell_.periodic[1] && motion_.compression_rate_y != 0.0) || moves_faces();
+}
+
+bool Boundaries::compresses() const {
+  return motion_.compression_rate_x != 0.0 || motion_.compression_rate_y != 0.0 || moves_faces();
 }
 
 void Boundaries::carry(std::vector<Body<double>>& bodies) const {
@@ -43,6 +64,10 @@ void Boundaries::carry(std::vector<Body<double>>& bodies) const {
     for (std::size_t i = share_.begin; i < share_.end; ++i)
       bodies[i].position[axis] = centre + factor * (bodies[i].position[axis] - centre);
   }
+  if (!moves_faces()) return;
+  const double factor = cell_.height() / height_before_;
+  for (std::size_t i = share_.begin; i < share_.end; ++i)
+    bodies[i].position[2] = cell_.lower.z() + factor * (bodies[i].position[2] - lower_before_);
 }
 
 void Boundaries::find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin) {
@@ -102,6 +127,7 @@ double Boundaries::mean_flow_speed(double reach) const {
   double speed = reach * Vector3::Map(flow.slope).norm();
   for (int axis = 0; axis < 2; ++axis)
     if (cell_.periodic[axis]) speed += reach * std::abs(rates(motion_)[axis]);
+  if (moves_faces()) speed += reach * std::abs(motion_.top_velocity.z() - motion_.bottom_velocity.z()) / cell_.height();
   return speed;
 }
 
@@ -114,8 +140,12 @@ double Boundaries::side_speed() const {
 
 MeanFlow Boundaries::mean_flow() const {
   MeanFlow flow{};
-  // Nothing flows through a rigid side, and across a periodic face along z the flow would jump.
-  for (int axis = 0; axis < 3 && !cell_.periodic[2]; ++axis) {
+  if (cell_.periodic[2]) {  // the momentum stays, and with it the velocity of the centre
+    flow.slope[0] = cell_.shear_velocity / cell_.height();
+    flow.origin = 0.5 * (cell_.lower.z() + cell_.upper.z());
+    return flow;
+  }
+  for (int axis = 0; axis < 3; ++axis) {  // nothing flows through a rigid side
     if (axis < 2 && !cell_.periodic[axis]) continue;
     flow.base[axis] = motion_.bottom_velocity[axis];
     flow.slope[axis] = (motion_.top_velocity[axis] - motion_.bottom_velocity[axis]) / cell_.height();

@@ -17,11 +17,13 @@ class Boundaries {
       : cell_(cell), settings_(settings), share_(share) {}
 
   void set(const EngineSettings& settings) { settings_ = settings; }
-  void move(const BoundaryMotion& motion) { motion_ = motion; }
+  void move(const BoundaryMotion& motion);
   /// Advances planes and periods by a step.
   void advance();
-  /// Whether the sides move.
-  bool compresses() const { return motion_.compression_rate_x != 0.0 || motion_.compression_rate_y != 0.0; }
+  /// Whether the sides move, or the faces of a cell that is periodic along z.
+  bool compresses() const;
+  /// Whether the last step brought another image above the cell next to it, so that images are numbered anew.
+  bool renumbers() const { return renumbers_; }
   /// Whether a period changes, so that `advance` must be followed by `carry`.
   bool carries() const;
   /// A step of shrinking periods carries the share's grains affinely.
@@ -51,6 +53,7 @@ class Boundaries {
   Box confines() const;
 
  private:
+  bool moves_faces() const;
   struct Near {
     std::uint32_t grain;
     std::uint8_t axis;
@@ -63,6 +66,8 @@ class Boundaries {
   EngineSettings settings_;
   Share share_;
   BoundaryMotion motion_;
+  double lower_before_ = 0.0, height_before_ = 0.0;  ///< of the cell before the last step, m
+  bool renumbers_ = false;
   std::vector<Near> near_;  ///< by axis, grain and side
 };
 

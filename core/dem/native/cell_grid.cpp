@@ -15,7 +15,11 @@ constexpr auto in_order = [](const NearPair& a, const NearPair& b) {
 
 template <typename Real>
 CellGrid::CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance)
-    : periodic_(cell.periodic), lower_(cell.lower), length_(cell.lengths()), sphere_(allowance.size()) {
+    : periodic_(cell.periodic),
+      lower_(cell.lower),
+      length_(cell.lengths()),
+      shear_offset_(cell.shear_offset),
+      sphere_(allowance.size()) {
   const std::size_t grains = allowance.size();
   double largest = 0.0;
   for (std::size_t i = 0; i < grains; ++i) {
@@ -56,8 +60,8 @@ void CellGrid::add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t
                              const std::array<int, 3>& image, const Share& share, std::vector<NearPair>& later,
                              std::vector<NearPair>& earlier) const {
   const Sphere& own = sphere_[i];
-  const double x = own.position[0] - image[0] * length_[0], y = own.position[1] - image[1] * length_[1],
-               z = own.position[2] - image[2] * length_[2];
+  const double x = own.position[0] - (image[0] * length_[0] + image[2] * shear_offset_);
+  const double y = own.position[1] - image[1] * length_[1], z = own.position[2] - image[2] * length_[2];
   for (std::uint32_t m = start_[first_bin]; m < start_[last_bin + 1]; ++m) {
     const Sphere& other = member_sphere_[m];
     const double dx = x - other.position[0], dy = y - other.position[1], dz = z - other.position[2];
@@ -66,6 +70,19 @@ void CellGrid::add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t
     const std::uint32_t j = member_[m];
     if (j > i) later.push_back({i, j, image_of(image[0], image[1], image[2])});
     if (j < share.begin) earlier.push_back({j, i, image_of(-image[0], -image[1], -image[2])});
+  }
+}
+
+/// The bins beyond a face along z do not stand over those of the cell: the row starts where the grain's image is.
+void CellGrid::add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, const Share& share,
+                                    std::vector<NearPair>& later, std::vector<NearPair>& earlier) const {
+  const double x = sphere_[i].position[0] - image[2] * shear_offset_;
+  const int centre = static_cast<int>(std::floor((x - lower_[0]) / length_[0] * count_[0]));
+  for (int bin = centre - 1; bin <= centre + 1; ++bin) {
+    image[0] = bin < 0 ? -1 : bin >= count_[0] ? 1 : 0;
+    const int inside = bin - image[0] * count_[0];
+    if (inside < 0 || inside >= count_[0] || (image[0] != 0 && !periodic_[0])) continue;  // further than half a period
+    add_from_bins(i, row + inside, row + inside, image, share, later, earlier);
   }
 }
 
@@ -84,6 +101,10 @@ void CellGrid::add_pairs(std::uint32_t i, const Share& share, std::vector<NearPa
       int by = centre[1] + dy, bz = centre[2] + dz;
       if (!wrap(1, by, image[1]) || !wrap(2, bz, image[2])) continue;
       const std::size_t row = (static_cast<std::size_t>(bz) * count_[1] + by) * count_[0];
+      if (image[2] != 0 && shear_offset_ != 0.0) {
+        add_across_the_shear(i, row, image, share, later, earlier);
+        continue;
+      }
       // The bins along x stand side by side, but for those beyond a face of the cell.
       const int from = std::max(centre[0] - 1, 0), to = std::min(centre[0] + 1, count_[0] - 1);
       image[0] = 0;

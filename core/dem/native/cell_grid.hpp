@@ -34,11 +34,14 @@ class CellGrid {
   int bin_along(int axis, double coordinate) const;
   void add_pairs(std::uint32_t i, const Share& share, std::vector<NearPair>& later,
                  std::vector<NearPair>& earlier) const;
+  void add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, const Share& share,
+                            std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
   void add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t last_bin, const std::array<int, 3>& image,
                      const Share& share, std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
 
   std::array<bool, 3> periodic_;
   Vector3 lower_, length_;
+  double shear_offset_;
   std::array<int, 3> count_;
   std::vector<Sphere> sphere_;                 ///< by grain
   std::vector<std::uint32_t> start_, member_;  ///< members of bin b: member_[start_[b]] up to start_[b + 1]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,6 +15,9 @@ inline constexpr int tile_size = 64;
 constexpr std::uint8_t image_of(int x, int y, int z) {
   return static_cast<std::uint8_t>(((x + 1) * 3 + y + 1) * 3 + z + 1);
 }
+
+/// The z of an image's number: -1 below the cell, 1 above.
+constexpr int layer_of(std::uint8_t image) { return image % 3 - 1; }
 
 /// Constants of the law that all pairs share, of one material.
 template <typename Real>
@@ -39,6 +43,7 @@ struct PairView {
   const double *first_radius, *second_radius;  ///< m
   const Real *effective_radius, *root_effective_mass, *root_rolling_inertia;
   Real *spring[3], *rolling_torque[3];  ///< histories, advanced by the pass
+  Real image_velocity = 0;              ///< by how much the image above the cell is faster along x, m/s
 };
 
 /// Which parts of the law a scene needs.
@@ -48,11 +53,14 @@ enum class LawVariant { frictionless, sliding, sliding_and_rolling };
 /// threads.
 inline constexpr std::size_t block_size = 64;
 
+/// Sums over pairs of s_x f_x, s_y f_y, s_z f_x, s_z f_y and s_z f_z, N m: s is the image shift of the second grain and
+/// f the force on the first. It is what the sum over grains of x f lacks to the sum over pairs of l f.
+using AcrossFaces = std::array<double, 5>;
+
 /// Adds the contact forces of all pairs to `loads` and advances the histories. If `across` is not null, adds to its row
-/// of the block of each pair's first grain s_x f_x and s_y f_y (N m), s the image shift of the second and f the force
-/// on the first: what the sum over grains of x f lacks to the sum over pairs of l f.
+/// of the block of each pair's first grain.
 template <typename Real>
 using ContactPass = void (*)(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
-                             const Body<Real>* bodies, Load<Real>* loads, double (*across)[2]);
+                             const Body<Real>* bodies, Load<Real>* loads, AcrossFaces* across);
 
 }  // namespace flowslide::native

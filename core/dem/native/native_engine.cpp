@@ -23,11 +23,31 @@ constexpr std::size_t grains_for_threads = 10'000;
 
 bool mobile(Role role) { return role == Role::mobile; }
 
-Vector3 folded(const Cell& cell, Vector3 position) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (cell.periodic[axis])
-      position[axis] -= cell.lengths()[axis] * std::floor((position[axis] - cell.lower[axis]) / cell.lengths()[axis]);
-  return position;
+/// Puts a grain where its image in the cell is.
+void fold(const Cell& cell, Body<double>& body) {
+  for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
+    if (!cell.periodic[axis]) continue;
+    const double length = cell.lengths()[axis];
+    const double periods = std::floor((body.position[axis] - cell.lower[axis]) / length);
+    body.position[axis] -= length * periods;
+    if (axis < 2 || periods == 0.0) continue;
+    body.position[0] -= periods * cell.shear_offset;
+    body.velocity[0] -= periods * cell.shear_velocity;
+  }
+}
+
+/// The cell with the image above it that is nearest.
+Cell numbered(Cell cell) {
+  if (cell.shear_offset != 0.0) cell.shear_offset = std::remainder(cell.shear_offset, cell.lengths().x());
+  return cell;
+}
+
+/// A cell whose faces along z slide over each other must have something to slide to.
+void require_shear_along_periods(const Cell& cell, const Vector3& sliding) {
+  if (sliding.y() == 0.0 && (sliding.x() == 0.0 || (cell.periodic[0] && cell.periodic[2]))) return;
+  throw EngineError(fmt::format("the faces of the cell along z slide by {} m/s along x and {} m/s along y; they do so "
+                                "along x alone, in a cell that is periodic along x and z: make it so, or glue layers",
+                                sliding.x(), sliding.y()));
 }
 
 template <typename Load>
@@ -65,7 +85,7 @@ template <typename Real>
 NativeEngine<Real>::~NativeEngine() = default;
 
 template <typename Real>
-void NativeEngine<Real>::take_grains(const Assembly& assembly) {
+void NativeEngine<Real>::take_grains(const Assembly& assembly, const Cell& cell) {
   const std::size_t n = assembly.size();
   grains_.role = assembly.role;
   glued_.clear();
@@ -74,8 +94,9 @@ void NativeEngine<Real>::take_grains(const Assembly& assembly) {
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     Body<double>& body = grains_.bodies[i];
-    Vector3::Map(body.position) = folded(assembly.cell, assembly.position[i]);
+    Vector3::Map(body.position) = assembly.position[i];
     Vector3::Map(body.velocity) = assembly.velocity[i];
+    fold(cell, body);
     Vector3::Map(body.spin) = assembly.spin[i];
     body.radius = assembly.radius[i];
     body.mass = sphere_mass(body.radius, settings_.material);
@@ -125,14 +146,16 @@ template <typename Real>
 void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& settings) {
   settings_ = settings;
   half_step_ = false;
-  take_grains(assembly);
+  require_shear_along_periods(assembly.cell, assembly.cell.shear_velocity * Vector3::UnitX());
+  const Cell cell = numbered(assembly.cell);
+  take_grains(assembly, cell);
   const double least_period = 2.0 * native::Worker<Real>::longest_reach(grains_);
   for (int axis = 0; axis < 3; ++axis)
     if (assembly.cell.periodic[axis] && assembly.cell.lengths()[axis] < least_period)
       throw EngineError(fmt::format("the cell is {} m long along periodic axis {}; a grain would meet two images of "
                                     "another: at least {} m are needed", assembly.cell.lengths()[axis], axis,
                                     least_period));
-  hire(assembly.cell);
+  hire(cell);
   prepare_law();
   take_loads(assembly);
   sum_up();
@@ -162,13 +185,14 @@ void NativeEngine<Real>::take_loads(const Assembly& assembly) {
 template <typename Real>
 void NativeEngine<Real>::take_last_step(const Assembly& assembly) {
   const ContactForces forces = evaluate_contact_forces(assembly, settings_.material, settings_.time_step);
-  for (const Contact& contact : forces.contacts)
-    for (int axis = 0; axis < 2; ++axis) {
-      const double shift = grains_.bodies[contact.first].position[axis] -
-                           grains_.bodies[contact.second].position[axis] - contact.branch[axis];
-      grains_.across[contact.first / native::block_size][static_cast<std::size_t>(axis)] +=
-          shift * contact.force.on_first[axis];
-    }
+  for (const Contact& contact : forces.contacts) {
+    const auto at = [&](std::uint32_t i) { return Vector3::Map(grains_.bodies[i].position); };
+    const Vector3 shift = at(contact.first) - at(contact.second) - contact.branch, &force = contact.force.on_first;
+    native::AcrossFaces& across = grains_.across[contact.first / native::block_size];
+    const native::AcrossFaces more{shift.x() * force.x(), shift.y() * force.y(), shift.z() * force.x(),
+                                   shift.z() * force.y(), shift.z() * force.z()};
+    for (std::size_t k = 0; k < more.size(); ++k) across[k] += more[k];
+  }
   // Planes and drag saw the velocities of the half step.
   const std::vector<Body<double>> whole_step = grains_.bodies;
   for (std::size_t i = 0; i < assembly.size(); ++i)
@@ -219,12 +243,27 @@ void NativeEngine<Real>::set(const EngineSettings& settings) {
 
 template <typename Real>
 void NativeEngine<Real>::move(const BoundaryMotion& motion) {
+  if (cell().periodic[2]) slide_faces(motion.top_velocity - motion.bottom_velocity);
   for (native::Worker<Real>& worker : workers_) worker.boundaries().move(motion);
   for (const std::uint32_t i : glued_) {
     Body<double>& body = grains_.bodies[i];
     Vector3::Map(body.velocity) = grains_.role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
     Vector3::Map(body.spin).setZero();
   }
+}
+
+/// Gives the grains the change of the linear field.
+template <typename Real>
+void NativeEngine<Real>::slide_faces(const Vector3& sliding) {
+  const Cell cell = this->cell();
+  require_shear_along_periods(cell, sliding);
+  const double change = (sliding.x() - cell.shear_velocity) / cell.height();
+  if (change == 0.0) return;
+  finish_step();  // so that a run that goes on from a saved state adds in the same order
+  const double middle = 0.5 * (cell.lower.z() + cell.upper.z());
+  for (std::size_t i = 0; i < grains_.role.size(); ++i)
+    if (mobile(grains_.role[i]))
+      grains_.bodies[i].velocity[0] += change * (grains_.bodies[i].position[2] - middle);
 }
 
 template <typename Real>
@@ -264,11 +303,12 @@ void NativeEngine<Real>::sum_up() {
   sums_.mobile_height_times_force = Vector3::Map(moments.height_times_force);
   sums_.mobile_moment = Vector3::Map(moments.moment);
   for (const native::Worker<Real>& worker : workers_) worker.add_boundary_forces(sums_);
-  double across[2] = {0.0, 0.0};
-  for (const std::array<double, 2>& block : grains_.across)
-    for (std::size_t axis = 0; axis < 2; ++axis) across[axis] += block[axis];
+  native::AcrossFaces across{};
+  for (const native::AcrossFaces& block : grains_.across)
+    for (std::size_t k = 0; k < across.size(); ++k) across[k] += block[k];
   sums_.pair_virial_x = sums_.mobile_moment.x() - across[0];
   sums_.pair_virial_y = sums_.mobile_moment.y() - across[1];
+  sums_.pair_virial_z = sums_.mobile_height_times_force - Vector3(across[2], across[3], across[4]);
   sums_.top_force.z() += sums_.upper_plane.z();
 }
 

@@ -27,6 +27,11 @@ struct NativeOptions {
 ///
 /// `Real` is the precision of the law, the histories and the sums of forces; positions, gaps and the integration are in
 /// double. In float, forces carry rounding of 1e-7 of the largest: prepare samples in double.
+///
+/// A cell that is periodic along z is sheared across its faces (Lees and Edwards 1972). When its rate changes, every
+/// mobile grain gets the change of the linear field about the middle of the cell; else the faces, which are no place in
+/// the sample, would drive it like walls. It is the impulse of the SLLOD equations of motion (P. J. Daivis and B. D.
+/// Todd, J. Chem. Phys. 124 (2006) 194103), which at a constant rate are Newton's.
 template <typename Real>
 class NativeEngine : public Engine {
  public:
@@ -47,13 +52,14 @@ class NativeEngine : public Engine {
   int threads() const { return team_ ? team_->size() : 1; }
 
  private:
-  void take_grains(const Assembly& assembly);
+  void take_grains(const Assembly& assembly, const Cell& cell);
   void hire(const Cell& cell);
   void prepare_law();
   std::vector<native::Share> shares(int threads) const;
   void take_loads(const Assembly& assembly);
   void take_last_step(const Assembly& assembly);
   void finish_step();
+  void slide_faces(const Vector3& sliding);
   void sum_up();
 
   NativeOptions options_;

@@ -142,7 +142,8 @@ void PairList<Real>::set_shifts(const Cell& cell) {
   for (int x = -1; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
-        Vector3::Map(shift_[image_of(x, y, z)]) = Vector3(x, y, z).cwiseProduct(cell.lengths());
+        Vector3::Map(shift_[image_of(x, y, z)]) =
+            Vector3(x, y, z).cwiseProduct(cell.lengths()) + z * cell.shear_offset * Vector3::UnitX();
 }
 
 template <typename Real>
@@ -159,7 +160,8 @@ PairView<Real> PairList<Real>::view(const Cell& cell) {
                 columns_.root_effective_mass.data(),
                 columns_.root_rolling_inertia.data(),
                 {},
-                {}};
+                {},
+                static_cast<Real>(cell.shear_velocity)};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     view.spring[axis] = columns_.history[axis].data();
     view.rolling_torque[axis] = columns_.history[axis + 3].data();

@@ -4,6 +4,7 @@
 
 #include "dem/native/passes.hpp"
 #include "dem/native/share.hpp"
+#include "grains/assembly.hpp"
 
 namespace flowslide::native {
 
@@ -19,6 +20,11 @@ class StrayWatch {
   void follow(const MeanFlow& flow, double time_step) { drift_.add(flow, time_step); }
   /// A grain was carried by `way`, m, along an axis, by no motion of its own.
   void carry(std::size_t grain, int axis, double way) { start_[grain].position[axis] += way; }
+  /// A grain was folded by so many heights of a sheared cell, and along x with them: as far as its image was away at the
+  /// start, from where on the mean flow drifts as that of the other layer.
+  void cross_the_shear(std::size_t grain, int layers, const Cell& cell) {
+    carry(grain, 0, layers * (cell.shear_offset - drift_.gradient[0] * cell.height()));
+  }
   /// Whether the ways are to be measured after this step.
   bool measures() const { return measures_; }
   /// Least allowance that is left to the share's grains, m.

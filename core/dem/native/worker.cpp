@@ -19,11 +19,6 @@ constexpr std::int64_t shortest_age = 8, longest_age = 32;
 /// A fast grain is allowed what it goes in that many steps, so that some rattlers do not burden the lists of all.
 constexpr double steps_of_fast_grains = 16.0;
 
-auto rows(std::vector<std::array<double, 2>>& pairs) {
-  static_assert(sizeof(std::array<double, 2>) == sizeof(double[2]));
-  return reinterpret_cast<double(*)[2]>(pairs.data());
-}
-
 }  // namespace
 
 template <typename Real>
@@ -65,15 +60,24 @@ void Worker<Real>::fold(std::vector<Fold>& folds) {
   // At every step, not when the list is built: a folded coordinate rounds differently.
   const Cell& cell = boundaries_.cell();
   for (std::size_t i = share_.begin; i < share_.end; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
       double& x = grains_.bodies[i].position[axis];
       const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
       if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
       const int periods = below ? 1 : -1;
       x += periods * cell.lengths()[axis];
       for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->carry(i, axis, periods * cell.lengths()[axis]);
+      if (axis == 2) cross_the_shear(i, periods);
       folds.push_back({static_cast<std::uint32_t>(i), axis, periods});
     }
+}
+
+template <typename Real>
+void Worker<Real>::cross_the_shear(std::size_t grain, int layers) {
+  const Cell& cell = boundaries_.cell();
+  grains_.bodies[grain].position[0] += layers * cell.shear_offset;
+  grains_.bodies[grain].velocity[0] += layers * cell.shear_velocity;
+  for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->cross_the_shear(grain, layers, cell);
 }
 
 template <typename Real>
@@ -110,7 +114,7 @@ void Worker<Real>::meet(const std::vector<Worker>& all, int turn) {
                                            boundaries_.side_speed());
   const bool compressed = boundaries_.compresses();
   const bool list_is_old = watch_.spend(pace, slack, reach, compressed);
-  if (search_watch_.spend(pace, search_slack, reach, compressed))
+  if (search_watch_.spend(pace, search_slack, reach, compressed) || boundaries_.renumbers())
     rebuild(turn);
   else if (list_is_old)
     build(turn);
@@ -155,9 +159,9 @@ void Worker<Real>::build(int turn) {
 
 template <typename Real>
 void Worker<Real>::evaluate(int turn, bool last) {
-  if (last) std::fill(across_.begin(), across_.end(), std::array<double, 2>{});
+  if (last) std::fill(across_.begin(), across_.end(), AcrossFaces{});
   passes_.contacts(grains_.variant, grains_.law, list_.view(boundaries_.cell()), seen(turn).data(), loads_.data(),
-                   last ? rows(across_) : nullptr);
+                   last ? across_.data() : nullptr);
   boundaries_.push(grains_.bodies, grains_.role, loads_);
   if (!last) return;
   measure(turn);

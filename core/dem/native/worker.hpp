@@ -23,7 +23,7 @@ struct Grains {
   std::vector<double> kick, twist;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
   double time_step = 0.0;           ///< dt_L, s
   std::vector<Moments> moments;     ///< of each block, at the end of the last run
-  std::vector<std::array<double, 2>> across;  ///< of each block, then (see ContactPass), N m
+  std::vector<AcrossFaces> across;  ///< of each block, then (see ContactPass), N m
   std::vector<std::uint32_t> top_layer;
   LawConstants<Real> law{};
   LawVariant variant = LawVariant::sliding_and_rolling;
@@ -84,6 +84,8 @@ class Worker {
   const std::vector<Body<Real>>& seen(int turn) const { return const_cast<Worker*>(this)->seen(turn); }
   MovingGrains<Real> moving(const Share& part, int turn);
   void fold(std::vector<Fold>& folds);
+  /// A grain was folded by so many heights of the cell, 1 or -1.
+  void cross_the_shear(std::size_t grain, int layers);
   void allow(const std::vector<Body<Real>>& bodies);
   /// Builds the list from the pairs of the last search.
   void build(int turn);
@@ -94,7 +96,7 @@ class Worker {
   Passes<Real> passes_;
   PairList<Real> list_;
   std::vector<Load<Real>> loads_;  ///< those of others' grains are partial sums that nobody reads
-  std::vector<std::array<double, 2>> across_;  ///< of each block; those of others are partial sums as well
+  std::vector<AcrossFaces> across_;  ///< of each block; those of others are partial sums as well
   std::array<News, 2> news_;
   std::vector<double> allowance_, search_allowance_;  ///< of each grain in the list and in the search, m
   StrayWatch<Real> watch_, search_watch_;             ///< of the list, and of the search it is built from

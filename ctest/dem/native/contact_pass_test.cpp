@@ -34,6 +34,7 @@ TYPED_TEST(ContactPassOf, EveryLawIsThatOfTheGrains) {
   for (const LawVariant variant : variants) {
     const Material m = material_of(variant);
     RandomPairs<TypeParam> pairs(3);
+    pairs.image_velocity = TypeParam(0.75);
     const RandomPairs<TypeParam> before = pairs;
     pairs.evaluate(widest<TypeParam>(), variant);
     for (std::size_t p = 0; p < pairs.first.size(); ++p) {
@@ -89,19 +90,22 @@ TYPED_TEST(ContactPassOf, OpenPairsAddExactZerosAndForgetTheirHistories) {
 TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGrain) {
   RandomPairs<TypeParam> pairs(6);
   const RandomPairs<TypeParam> before = pairs;
-  pairs.across.assign(pairs.across.size(), {7.0, 8.0});
+  const AcrossFaces start{7.0, 8.0, 9.0, 10.0, 11.0};
+  pairs.across.assign(pairs.across.size(), start);
   pairs.evaluate(widest<TypeParam>(), LawVariant::sliding_and_rolling);
-  std::vector<std::array<double, 2>> sum(pairs.across.size(), {7.0, 8.0});
+  std::vector<AcrossFaces> sum(pairs.across.size(), start);
   std::size_t across = 0;
   for (std::size_t p = 0; p < pairs.first.size(); ++p)
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const double shift = pairs.shift[pairs.image[p]][axis];
-      sum[2 * p / block_size][axis] += shift * pairs.loads[2 * p].force[axis];
-      across += shift != 0.0 && pairs.overlap(p) > 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double* shift = pairs.shift[pairs.image[p]];
+      AcrossFaces& block = sum[2 * p / block_size];
+      if (axis < 2) block[axis] += shift[axis] * pairs.loads[2 * p].force[axis];
+      block[2 + axis] += shift[2] * pairs.loads[2 * p].force[axis];
+      across += shift[axis] != 0.0 && pairs.overlap(p) > 0.0;
     }
   // Sums of ten or so terms of 0.2 m and up to some 100 N, rounded in double.
   for (std::size_t block = 0; block < sum.size(); ++block)
-    for (std::size_t axis = 0; axis < 2; ++axis) EXPECT_NEAR(pairs.across[block][axis], sum[block][axis], 1e-12);
+    for (std::size_t k = 0; k < sum[block].size(); ++k) EXPECT_NEAR(pairs.across[block][k], sum[block][k], 1e-12);
   EXPECT_GT(across, 20u);
   // Without a place for it, everything else is the same.
   RandomPairs<TypeParam> plain = before;

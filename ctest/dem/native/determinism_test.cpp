@@ -29,6 +29,14 @@ Assembly in_box(bool periodic, double spring = 1e-8, double torque = 1e-8) {
                          {.grains = 330, .speed = 2.0, .spring = spring, .torque = torque});
 }
 
+/// Its images are numbered anew on the way.
+Assembly in_sheared_box() {
+  Cell cell = cube(0.05, true);
+  cell.shear_offset = 0.0245;
+  cell.shear_velocity = 5.0;
+  return clustered_cloud(31, cell, {.grains = 330, .speed = 2.0});
+}
+
 std::vector<Scene> scenes() {
   const Vector3 still = Vector3::Zero();
   const EngineSettings settings{Material{}, step, 0.0};
@@ -41,6 +49,8 @@ std::vector<Scene> scenes() {
           {"shaken in a rigid box", in_box(false), {Material{}, step, 0.1}, {still, still, 1.0, 2.0}, 400},
           {"in a cell without planes", in_box(true), settings, {}, 400},
           {"in a cell that shrinks", in_box(true, 1e-8, 0.0), {sliding, step, 0.0}, {still, still, 5.0, 5.0}, 400},
+          {"in a sheared cell", in_sheared_box(), settings, {still, {5.0, 0.0, 0.0}, 0.0, 0.0}, 400},
+          {"in a sheared cell that shrinks", in_sheared_box(), settings, {still, {3.0, 0.0, -0.2}, 2.0, -1.0}, 400},
           {"without friction", in_box(false, 0.0, 0.0), {smooth, step, 0.0}, {}, 400}};
 }
 

@@ -84,12 +84,23 @@ TEST(LostPairs, FindsWhomShearBringsTogether) {
 }
 
 TEST(LostPairs, FindsWhomShearBringsTogetherThroughAPeriodicFaceAlongZ) {
-  const Vector3 top(-4.0, 0.0, 0.0);
-  Assembly pair = apart(6.1e-4, {1, 0, -1}, still);
-  pair.cell.periodic[2] = true;
-  pair.position[1].z() += 0.04;  // the lower one, next to the image of the other beyond the face
-  for (Vector3& position : pair.position) position.z() -= 0.0190;
-  expect_found_in_time(carried(pair, top), {still, top, 0.0, 0.0}, "sheared in a cell without planes");
+  const Vector3 half_top(20.0, 0.0, 0.0);
+  for (const double gap : {1e-5, 1.3e-4, 6.1e-4}) {
+    Assembly pair = apart(gap, {1, 0, -1}, still, {0.0, 0.0, 0.0199});
+    pair.cell.periodic[2] = true;
+    pair.cell.shear_offset = 0.013;
+    for (std::size_t i = 0; i < 2; ++i) pair.velocity[i] = pair.position[i].z() / 0.02 * half_top;
+    pair.cell.shear_velocity = 2.0 * half_top.x();  // with which the upper one is folded
+    expect_found_in_time(pair, {-half_top, half_top, 0.0, 0.0}, "sheared in a cell without planes");
+  }
+}
+
+TEST(LostPairs, FindsWhomAShorterHeightBringsTogether) {
+  for (const double middle : {0.0, 0.0199}) {
+    Assembly pair = apart(1.3e-4, {0, 0, 1}, still, {0.0, 0.0, middle});
+    pair.cell.periodic[2] = true;
+    expect_found_in_time(pair, {Vector3(0, 0, 10.0), Vector3(0, 0, -10.0), 0.0, 0.0}, "along z");
+  }
 }
 
 /// A grain that must bounce back from a plane instead of crossing it.
@@ -158,8 +169,17 @@ void run_cloud(std::uint64_t seed, std::size_t most, std::size_t& contacts, std:
   const double allowance = std::pow(10.0, dice.between(-5.0, 0.0));
   DoubleEngine engine({.threads = 1 + static_cast<int>(dice.below(4)), .first_allowance = allowance});
   engine.load(cloud, {Material{}, time_step, 0.0});
-  engine.move({dice.vector(0.5), dice.vector(0.5), dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)});
-  if (dice.below(2) == 0) engine.move({dice.vector(0.5), dice.vector(0.5), 0.0, 0.0});  // ways are measured
+  const auto boundaries = [&](double largest_rate) {
+    BoundaryMotion motion{dice.vector(0.5), dice.vector(0.5), dice.between(-1.0, 1.0) * largest_rate,
+                          dice.between(-1.0, 1.0) * largest_rate};
+    if (!cloud.cell.periodic[2]) return motion;
+    motion.top_velocity.y() = motion.bottom_velocity.y();  // periodic faces slide along x alone, if at all
+    if (!cloud.cell.periodic[0]) motion.top_velocity.x() = motion.bottom_velocity.x();
+    if (dice.below(2) == 0) motion.top_velocity.z() = motion.bottom_velocity.z() = 0.0;
+    return motion;
+  };
+  engine.move(boundaries(5.0));
+  if (dice.below(2) == 0) engine.move(boundaries(0.0));  // ways are measured
   engine.run(1 + static_cast<int>(dice.below(60)));
   const Assembly now = engine.save();
   for (const Vector3& x : now.position) ASSERT_TRUE(x.allFinite()) << "seed " << seed;

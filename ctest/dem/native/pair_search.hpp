@@ -50,7 +50,9 @@ inline std::vector<NearPair> every_near_pair(const Assembly& a, const std::vecto
       for (int x = -reach(0); x <= reach(0); ++x)
         for (int y = -reach(1); y <= reach(1); ++y)
           for (int z = -reach(2); z <= reach(2); ++z) {
-            const Vector3 d = a.position[i] - a.position[j] - Vector3(x, y, z).cwiseProduct(a.cell.lengths());
+            const Vector3 shift = Vector3(x, y, z).cwiseProduct(a.cell.lengths()) +
+                                  z * a.cell.shear_offset * Vector3::UnitX();
+            const Vector3 d = a.position[i] - a.position[j] - shift;
             const double near = (a.radius[i] + allowance[i]) + (a.radius[j] + allowance[j]);
             if (d.squaredNorm() < near * near) found.push_back({i, j, image_of(x, y, z)});
           }
@@ -70,7 +72,7 @@ inline std::vector<TouchingPair> every_touching_pair(const Assembly& a) {
 }
 
 /// One of many small random clouds: 1 to 24 grains (or up to `most` in a cell as much larger), radii to 1:3, each axis
-/// rigid or periodic, some grains glued.
+/// rigid or periodic or sheared, some grains glued.
 inline Assembly fuzzed_cloud(std::uint64_t seed, std::size_t most = 24) {
   Dice dice(seed ^ 0x9e3779b97f4a7c15u);
   CloudShape shape;
@@ -85,6 +87,8 @@ inline Assembly fuzzed_cloud(std::uint64_t seed, std::size_t most = 24) {
     cell.periodic[axis] = dice.below(2) == 0;
     cell.upper[axis] = cell.lower[axis] + scale * dice.between(0.0135, 0.04);  // from two reaches of the largest on
   }
+  if (cell.periodic[0] && cell.periodic[2] && dice.below(2) == 0)
+    cell.shear_offset = dice.between(-0.5, 0.5) * cell.lengths().x();
   Assembly cloud = clustered_cloud(seed, cell, shape);
   if (dice.below(3) == 0)
     for (std::size_t i = 0; i < cloud.size(); ++i) cloud.role[i] = static_cast<Role>(dice.below(3));

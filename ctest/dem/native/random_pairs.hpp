@@ -114,7 +114,8 @@ struct RandomPairs {
                      root_effective_mass.data(),
                      root_rolling_inertia.data(),
                      {},
-                     {}};
+                     {},
+                     image_velocity};
     for (int axis = 0; axis < 3; ++axis) {
       v.spring[axis] = history[axis].data();
       v.rolling_torque[axis] = history[axis + 3].data();
@@ -123,7 +124,7 @@ struct RandomPairs {
   }
   void evaluate(const Passes<Real>& passes, LawVariant variant) {
     passes.contacts(variant, constants_of<Real>(material_of(variant)), view(), bodies.data(), loads.data(),
-                    reinterpret_cast<double(*)[2]>(across.data()));
+                    across.data());
   }
 
   /// Separation and overlap as the pass computes them in double, to the bit.
@@ -142,8 +143,9 @@ struct RandomPairs {
   ContactForce law(std::size_t p, const Material& m) const {
     const Body<Real>&a = bodies[first[p]], &b = bodies[second[p]];
     const ContactKinematics motion{separation(p) / (first_radius[p] + second_radius[p] - overlap(p)), overlap(p),
-                                   vector_of(a.velocity) - vector_of(b.velocity), vector_of(a.spin),
-                                   vector_of(b.spin)};
+                                   vector_of(a.velocity) - vector_of(b.velocity) -
+                                       double{image_velocity} * layer_of(image[p]) * Vector3::UnitX(),
+                                   vector_of(a.spin), vector_of(b.spin)};
     return evaluate_contact(m, pair_constants(m, a.radius, b.radius), motion, spring(p), torque(p), pass_step, true);
   }
 
@@ -155,7 +157,8 @@ struct RandomPairs {
   std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia;
   std::array<std::vector<Real>, 6> history;
   std::vector<Load<Real>> loads;
-  std::vector<std::array<double, 2>> across;  ///< by block of grains
+  Real image_velocity = 0;
+  std::vector<AcrossFaces> across;  ///< by block of grains
 };
 
 }  // namespace flowslide::native

@@ -57,6 +57,30 @@ TEST(StrayWatch, MeasuresWhatIsLeftBesideTheMeanFlow) {
   EXPECT_NEAR(grains.measure(), 5e-6, 1e-17);
 }
 
+TEST(StrayWatch, FollowsAGrainThatIsFoldedInAShearedCell) {
+  Watched grains;
+  MeanFlow flow{};
+  flow.slope[0] = 200.0;
+  flow.origin = 0.01;
+  Cell cell;
+  cell.upper.z() = 0.025;
+  cell.shear_offset = 0.003;
+  for (int step = 0; step < 10; ++step) {
+    grains.watch.follow(flow, 1e-5);
+    cell.shear_offset += 1e-5 * 200.0 * cell.height();
+    for (Body<double>& body : grains.bodies) body.position[0] += 1e-5 * 200.0 * (body.position[2] - 0.01);
+  }
+  EXPECT_NEAR(grains.measure(), 1e-5, 1e-18);
+  grains.bodies[0].position[2] += 0.025;  // the image above, which is further by the offset of now
+  grains.bodies[0].position[0] += cell.shear_offset;
+  grains.watch.carry(0, 2, 0.025);
+  grains.watch.cross_the_shear(0, 1, cell);
+  EXPECT_NEAR(grains.measure(), 1e-5, 1e-17);
+  grains.watch.follow(flow, 1e-5);
+  for (Body<double>& body : grains.bodies) body.position[0] += 1e-5 * 200.0 * (body.position[2] - 0.01);
+  EXPECT_NEAR(grains.measure(), 1e-5, 1e-17);
+}
+
 TEST(StrayWatch, AsksForAMeasurementWhenTheBoundIsNearlyUsedUp) {
   Watched grains;
   // A bound of 1 um a step: 2 um are left after 8 steps of 10; then it goes on as long as the ways are found short.

@@ -53,6 +53,13 @@ inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Rea
   }
 }
 
+/// Makes the velocities of a tile those relative to the images of a sheared cell.
+template <typename Real>
+inline void follow_images(const PairView<Real>& pairs, std::size_t start, Tile<Real>& t) {
+  for (int k = 0; k < Tile<Real>::size; ++k)
+    t.velocity[0][k] -= static_cast<Real>(layer_of(pairs.image[start + k])) * pairs.image_velocity;
+}
+
 /// Distance of two centres and gap between two spheres, from the square of the distance. In float, the gap is taken
 /// from the difference of the squares, in double: a difference of two lengths in float would be all rounding.
 template <typename Real>
@@ -83,6 +90,7 @@ inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Re
     t.rolling_torque[axis] = pairs.rolling_torque[axis] + start;
   }
   fetch<Real, Spins>(pairs, start, bodies, t);
+  if (pairs.image_velocity != Real(0)) follow_images(pairs, start, t);
   const double* __restrict first_radius = pairs.first_radius + start;
   const double* __restrict second_radius = pairs.second_radius + start;
   const Real* __restrict radii = t.effective_radius;

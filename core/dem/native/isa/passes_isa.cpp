@@ -15,7 +15,7 @@ namespace {
 
 template <typename Real, bool Sliding, bool Rolling>
 void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs, const Body<Real>* bodies,
-               Load<Real>* loads, double (*across)[2]) {
+               Load<Real>* loads, AcrossFaces* across) {
   constexpr bool spins = Sliding || Rolling;
   Tile<Real> tile;
   for (std::size_t start = 0; start < pairs.count; start += Tile<Real>::size) {
@@ -28,7 +28,7 @@ void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs,
 
 template <typename Real>
 void contacts(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
-              const Body<Real>* bodies, Load<Real>* loads, double (*across)[2]) {
+              const Body<Real>* bodies, Load<Real>* loads, AcrossFaces* across) {
   switch (variant) {
     case LawVariant::frictionless: return all_pairs<Real, false, false>(constants, pairs, bodies, loads, across);
     case LawVariant::sliding: return all_pairs<Real, true, false>(constants, pairs, bodies, loads, across);

@@ -70,13 +70,15 @@ inline void scatter(const PairView<Real>& pairs, std::size_t start, const Tile<R
 /// Adds the products of shift and force of pairs that meet across a face of the cell to the blocks of their first
 /// grains.
 template <typename Real>
-inline void add_across(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, double (*across)[2]) {
+inline void add_across(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, AcrossFaces* across) {
   for (int k = 0; k < Tile<Real>::size; ++k) {
     const std::size_t pair = start + static_cast<std::size_t>(k);
     if (pairs.image[pair] == image_of(0, 0, 0)) continue;
-    for (int axis = 0; axis < 2; ++axis)
-      across[pairs.first[pair] / block_size][axis] +=
-          pairs.image_shift[pairs.image[pair]][axis] * static_cast<double>(t.force[axis][k]);
+    const double* shift = pairs.image_shift[pairs.image[pair]];
+    AcrossFaces& sums = across[pairs.first[pair] / block_size];
+    for (std::size_t axis = 0; axis < 2; ++axis) sums[axis] += shift[axis] * static_cast<double>(t.force[axis][k]);
+    if (shift[2] == 0.0) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) sums[axis + 2] += shift[2] * static_cast<double>(t.force[axis][k]);
   }
 }
 
