@@ -107,6 +107,8 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.recipe.material = read_material(configuration, {table + "material", "material"});
     sample.recipe.normal_stress = initial_normal_stress(slope);
     sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
+    const std::string periodic = table + "periodic_height";
+    sample.recipe.periodic_height = configuration.has(periodic) && configuration.flag(periodic);
     sample.recipe.preparation_friction = preparation_friction(configuration, table, replicate);
     sample.recipe.drag = configuration.quantity(table + "drag", dimension::mass_rate, Range::not_negative());
     sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));

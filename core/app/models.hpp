@@ -26,10 +26,11 @@ struct SampleSpecification {
 };
 
 /// The tables [sample.<name>], made of [material] as [packing] and [preparation] say, to the stresses of the slope;
-/// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress.
-/// `replicate` (from 0) shifts the seed. What a search has found before spares the next one its trials: a sample may
-/// have a list `seed_offsets` with the shift of each replicate, and a list `found_preparation_frictions` with its mu_1.
-/// Throws ConfigurationError.
+/// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress;
+/// those with `periodic_height`, false where it is not said, have no glued layers (see SampleRecipe). `replicate` (from
+/// 0) shifts the seed. What a search has found before spares the next one its trials: a sample may have a list
+/// `seed_offsets` with the shift of each replicate, and a list `found_preparation_frictions` with its mu_1. Throws
+/// ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 

@@ -13,8 +13,10 @@
 namespace flowslide {
 namespace {
 
-/// Mean v_x of the layer that is glued to the top plane, m/s.
+/// Mean v_x of the layer that is glued to the top plane, or of the upper face where there is none, relative to the
+/// bottom, m/s.
 double top_velocity(const Assembly& assembly) {
+  if (assembly.cell.periodic[2]) return assembly.cell.shear_velocity;
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < assembly.size(); ++i) {

@@ -38,7 +38,7 @@ class ProfileRecord {
   explicit ProfileRecord(ProfilePlan plan);
 
   /// Takes a snapshot of the sample if one is due at this strain of the layer, and is cheap if not. The velocity of the
-  /// top layer is that of its grains.
+  /// top layer is that of its grains, or of the upper face in a cell that is periodic along z.
   void take(double strain, const DemSample& sample);
   /// Those profiles that have all their snapshots.
   Series series() const;

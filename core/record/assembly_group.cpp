@@ -31,6 +31,9 @@ void write_cell(hdf5::Group& group, const Cell& cell) {
   group.write<double>("cell_upper", std::span(cell.upper.data(), 3), {3}).set_attribute("units", "m");
   const std::vector<std::uint8_t> periodic(cell.periodic.begin(), cell.periodic.end());
   group.write<std::uint8_t>("cell_periodic", periodic, {3}).set_attribute("units", "1");
+  if (!cell.periodic[2]) return;
+  group.write<double>("cell_shear_offset", std::span(&cell.shear_offset, 1), {1}).set_attribute("units", "m");
+  group.write<double>("cell_shear_velocity", std::span(&cell.shear_velocity, 1), {1}).set_attribute("units", "m/s");
 }
 
 Cell read_cell(const hdf5::Group& group) {
@@ -39,6 +42,10 @@ Cell read_cell(const hdf5::Group& group) {
   std::ranges::copy(group.read<double>("cell_upper", {3}), cell.upper.data());
   const auto periodic = group.read<std::uint8_t>("cell_periodic", {3});
   for (std::size_t axis = 0; axis < 3; ++axis) cell.periodic[axis] = periodic[axis] != 0;
+  if (cell.periodic[2] && group.has("cell_shear_offset")) {  // not of files before such cells were sheared
+    cell.shear_offset = group.read<double>("cell_shear_offset", {1})[0];
+    cell.shear_velocity = group.read<double>("cell_shear_velocity", {1})[0];
+  }
   return cell;
 }
 

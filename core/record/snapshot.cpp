@@ -76,9 +76,12 @@ std::string escaped(const std::string& text) {
 
 Vector3 folded(const Cell& cell, Vector3 position) {
   const Vector3 length = cell.lengths();
-  for (int axis = 0; axis < 3; ++axis)
-    if (cell.periodic[static_cast<std::size_t>(axis)])
-      position[axis] -= length[axis] * std::floor((position[axis] - cell.lower[axis]) / length[axis]);
+  for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
+    if (!cell.periodic[static_cast<std::size_t>(axis)]) continue;
+    const double periods = std::floor((position[axis] - cell.lower[axis]) / length[axis]);
+    position[axis] -= length[axis] * periods;
+    if (axis == 2) position.x() -= periods * cell.shear_offset;
+  }
   return position;
 }
 

@@ -41,8 +41,11 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
       solid_volume_(assembly.solid_volume()),
       smallest_radius_(assembly.smallest_radius()) {
   for (const Role layer : {Role::bottom_layer, Role::top_layer})
-    if (std::find(assembly.role.begin(), assembly.role.end(), layer) == assembly.role.end())
-      throw std::invalid_argument("the sample has no glued layer to shear it by; prepare it with prepare_sample");
+    if (const bool glued = std::find(assembly.role.begin(), assembly.role.end(), layer) != assembly.role.end();
+        glued == assembly.cell.periodic[2])
+      throw std::invalid_argument(glued ? "the sample has a glued layer in a cell that is periodic along z, which is "
+                                          "sheared across its faces; make z rigid, or all grains mobile"
+                                        : "the sample has no glued layer to shear it by; prepare it with prepare_sample");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
   engine_.load(assembly, settings);
   stress_ = prepared_ = engine_.cell_stress();
@@ -57,11 +60,14 @@ void DemSample::inspect_time_step() {
 
 void DemSample::start_linear_velocity_field(double shear_rate) {
   Assembly assembly = engine_.save();
+  Cell& cell = assembly.cell;
+  const double at_rest = cell.periodic[2] ? 0.5 * (cell.lower.z() + cell.upper.z()) : cell.lower.z();
   for (std::size_t i = 0; i < assembly.size(); ++i)
     if (assembly.role[i] == Role::mobile) {
-      assembly.velocity[i].x() += shear_rate * (assembly.position[i].z() - assembly.cell.lower.z());
+      assembly.velocity[i].x() += shear_rate * (assembly.position[i].z() - at_rest);
       assembly.spin[i].y() += 0.5 * shear_rate;
     }
+  if (cell.periodic[2]) cell.shear_velocity += shear_rate * cell.height();
   engine_.load(assembly, engine_.settings());
 }
 

@@ -8,14 +8,16 @@ namespace flowslide {
 
 /// A prepared assembly in a DEM engine, sheared by its glued top layer while the bottom stands still and the lateral
 /// periods are fixed. The height H of a strain is that between the planes, so that tau times the shear rate times the
-/// volume is the power of the force on the top.
+/// volume is the power of the force on the top. A cell that is periodic along z has no layers: it is sheared across its
+/// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
-  /// Loads the assembly, which needs glued layers; throws std::invalid_argument without them, or if the time step is
-  /// not possible for its smallest grain, NumericalFailure if not for its contacts (see check_contact_time_step).
+  /// Loads the assembly, which needs glued layers unless z is periodic; throws std::invalid_argument without them, with
+  /// them in a cell that is periodic along z, or if the time step is not possible for its smallest grain, NumericalFailure if not for its contacts (see check_contact_time_step).
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
-  /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height, on top of its own, and
+  /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height above the bottom, or
+  /// the middle of a cell that is periodic along z, on top of its own, and
   /// the spin of that field, half its curl: a sudden start of the top alone would send a wave through the sample, and
   /// grains without spin would all be twisted at once.
   void start_linear_velocity_field(double shear_rate);

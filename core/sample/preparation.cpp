@@ -31,6 +31,7 @@ class Preparation {
     Assembly assembly = lattice_packing(recipe_.packing);
     grains_ = assembly.size();
     solid_volume_ = assembly.solid_volume();
+    if (recipe_.periodic_height) assembly.cell.periodic = {true, true, true};
     EngineSettings settings{recipe_.material, recipe_.time_step, recipe_.drag};
     settings.material.sliding_friction = recipe_.preparation_friction;
     engine_.load(assembly, settings);
@@ -41,12 +42,12 @@ class Preparation {
     reach({0.1 * recipe_.normal_stress, std::nullopt, recipe_.servo_rates[0]}, intermediate_tolerance);
     stage_ = 3;
     assembly = engine_.save();
-    assembly.cell.periodic = {true, true, false};
+    assembly.cell.periodic = {true, true, recipe_.periodic_height};
     engine_.load(assembly, settings);
     reach({0.2 * recipe_.normal_stress, std::nullopt, recipe_.servo_rates[1]}, intermediate_tolerance);
     stage_ = 4;
     assembly = engine_.save();
-    glue_layers(assembly, layer_reach * assembly.mean_diameter());
+    if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
     settings.material = recipe_.material;
     engine_.load(assembly, settings);
     reach({recipe_.normal_stress, recipe_.shear_stress, recipe_.servo_rates[2]}, recipe_.stress_tolerance);
@@ -120,7 +121,9 @@ class Preparation {
     check_contact_time_step(sample.assembly, recipe_.material, recipe_.time_step);
     sample.stress = stress_;
     sample.void_ratio = void_ratio(sample.assembly);
-    sample.bulk_void_ratio = void_ratio_of_bulk(sample.assembly, sample.assembly.mean_diameter());
+    const double margin = sample.assembly.mean_diameter();
+    sample.bulk_void_ratio =
+        recipe_.periodic_height ? sample.void_ratio : void_ratio_of_bulk(sample.assembly, margin);
     sample.kinetic_number = kinetic_number(sample.assembly, recipe_.material, recipe_.normal_stress);
     sample.steps = steps_;
     constexpr double drift_factor = 4.0;

@@ -11,7 +11,7 @@ struct PreparedSample {
   Assembly assembly;
   CellStress stress;             ///< at rest, without drag
   double void_ratio = 0.0;       ///< e_0, of the whole cell
-  double bulk_void_ratio = 0.0;  ///< without one mean diameter at the bottom and the top
+  double bulk_void_ratio = 0.0;  ///< without one mean diameter at the bottom and the top, if layers are glued there
   double kinetic_number = 0.0;   ///< mean kinetic energy of a grain over p D^3
   std::int64_t steps = 0;        ///< that the preparation took
 };
@@ -20,7 +20,8 @@ struct PreparedSample {
 /// lattice packing at constant rate until e = 1.2; (2) a servo brings it to 0.1 sigma_0; (3) the lateral planes become
 /// periodic, 0.2 sigma_0; (4) a layer is glued to the bottom and the top, mu = 0.5, and the servo brings the normal
 /// stresses to sigma_0 and the shear stress to tau_0. Stages 1 to 3 use mu_1 and all stages a viscous drag, without
-/// which the collapsing gas stays agitated and always ends dense; the sample then rests without it.
+/// which the collapsing gas stays agitated and always ends dense; the sample then rests without it. With
+/// `periodic_height` the same stages run in a cell without planes and layers, sheared across its faces.
 /// Leaves the sample loaded in `engine` with the settings of the recipe. Throws NumericalFailure if a stage does not
 /// reach its target, or the sample does not hold its stress at rest.
 PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe = {});

@@ -38,6 +38,7 @@ std::string SampleRecipe::text() const {
   add("servo_interval", servo_interval);
   add("stress_tolerance", stress_tolerance);
   add("kinetic_tolerance", kinetic_tolerance);
+  if (periodic_height) add("periodic_height", periodic_height);
   return text;
 }
 

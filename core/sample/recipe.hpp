@@ -14,6 +14,8 @@ struct SampleRecipe {
   double normal_stress = 28.34e3;         ///< sigma_0, target of the three normal stresses, Pa
   double shear_stress = 2.650e3;          ///< tau_0, target of sigma_zx, Pa; 0 prepares an isotropic sample
   double preparation_friction = 0.3;      ///< mu_1 of stages 1 to 3; decides the density
+  bool periodic_height = false;           ///< all three axes are periodic from stage 1 on and no layer is glued: for
+                                          ///< homogeneous shear across the faces
   double drag = 0.03;                     ///< c of the force -c v on each grain, kg/s; off before the sample is used
   double time_step = 1e-5;                ///< dt_L of the preparation, s
 

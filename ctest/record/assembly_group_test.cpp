@@ -25,6 +25,14 @@ TEST(AssemblyGroup, GivesBackEveryBit) {
   expect_same_bits(read_again(assembly), assembly);
 }
 
+TEST(AssemblyGroup, GivesBackAShearedCell) {
+  Assembly sheared = example_assembly(4);
+  sheared.cell.periodic = {true, true, true};
+  sheared.cell.shear_offset = 0.0123;
+  sheared.cell.shear_velocity = -4.5;
+  expect_same_bits(read_again(sheared), sheared);
+}
+
 TEST(AssemblyGroup, TakesAnEmptyAssembly) {
   expect_same_bits(read_again(example_assembly(0)), example_assembly(0));
   expect_same_bits(read_again(example_assembly(1)), example_assembly(1));

@@ -36,6 +36,8 @@ inline void expect_same_bits(const Assembly& left, const Assembly& right) {
   EXPECT_EQ(left.cell.lower, right.cell.lower);
   EXPECT_EQ(left.cell.upper, right.cell.upper);
   EXPECT_EQ(left.cell.periodic, right.cell.periodic);
+  EXPECT_EQ(left.cell.shear_offset, right.cell.shear_offset);
+  EXPECT_EQ(left.cell.shear_velocity, right.cell.shear_velocity);
   expect_same_bits(left.radius, right.radius, "radius");
   expect_same_bits(left.position, right.position, "position");
   expect_same_bits(left.velocity, right.velocity, "velocity");

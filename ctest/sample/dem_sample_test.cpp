@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <vector>
 
 #include "dem/make_engine.hpp"
 #include "dem/native/native_engine.hpp"
 #include "grains/bulk_mean_stress.hpp"
 #include "grains/measures.hpp"
+#include "grains/profiles.hpp"
 #include "grains/time_step_share.hpp"
 #include "sample/failure.hpp"
 #include "sample/health.hpp"
@@ -117,6 +120,81 @@ TEST_F(DemSampleTest, TheLinearVelocityFieldMayWaitForTheFirstStrain) {
   waiting.start_linear_at_first_strain();
   waiting.strain({{3.0, 0.0}, 20, step});
   EXPECT_EQ(waiting.strain({{1.0, 0.0}, 20, step}).shear, expected);  // and the second strain starts nothing
+}
+
+/// A lattice without planes and layers.
+Assembly lattice_without_layers() {
+  Assembly lattice = touching_lattice(8, 9);
+  lattice.cell.periodic = {true, true, true};
+  for (Role& role : lattice.role) role = Role::mobile;
+  return lattice;
+}
+
+TEST(ShearedSample, IsShearedLinearlyInLooseAndInDenserFlow) {
+  double loose = 0.0;  // sigma, Pa
+  for (const double compression : {0.0, 0.09}) {  // of the lattice, which is far looser than any packing
+    NativeEngine<double> engine({.threads = 1});
+    DemSample sample(engine, lattice_without_layers(), {Material{}, 2.5 * step, 0.0});
+    const double before = sample.void_ratio();
+    sample.start_linear_velocity_field(50.0);
+    const double rate = compression / (20 * 400 * 2.5 * step * (1.0 - 0.5 * compression));  // per height at each start
+    double thinner = 1.0;
+    for (int part = 0; part < 20; ++part) {
+      sample.strain({{50.0, rate}, 400, 2.5 * step});
+      thinner *= 1.0 - rate * 400 * 2.5 * step;
+    }
+    EXPECT_NEAR((1.0 + sample.void_ratio()) / (1.0 + before), thinner, 1e-11);
+    EXPECT_NEAR(sample.void_ratio(), void_ratio(sample.assembly()), 1e-12);
+    double tau = 0.0, sigma = 0.0;
+    std::vector<double> velocity(9, 0.0);
+    for (int look = 0; look < 40; ++look) {
+      const CellStress stress = sample.strain({{50.0, 0.0}, 400, 2.5 * step});
+      tau += stress.shear / 40.0;
+      sigma += stress.normal / 40.0;
+      const Profiles now = profiles(sample.assembly(), {}, 9);
+      for (std::size_t k = 0; k < 9; ++k) velocity[k] += now.velocity[k] / 40.0;
+    }
+    EXPECT_NEAR(sample.shear_strain(), 50.0 * 60 * 400 * 2.5 * step, 1e-12);
+    EXPECT_GT(tau, 0.1 * sigma);
+    EXPECT_LT(tau, sigma);
+    if (compression > 0.0)
+      EXPECT_GT(sigma, 2.0 * loose);
+    else
+      loose = sigma;
+    double off = 0.0, all = 0.0;  // about the line of the shear, from 0 at the bottom to rate times height at the top
+    const double height = engine.cell().height(), top = 50.0 * height;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const double middle = (static_cast<double>(k) + 0.5) / 9.0;
+      off += std::pow(velocity[k] - middle * top, 2);
+      all += std::pow((middle - 0.5) * top, 2);
+    }
+    std::printf("sigma %.4g Pa, tau %.4g Pa, R^2 %.5f\n", sigma, tau, 1.0 - off / all);
+    EXPECT_LT(off, 0.02 * all);
+  }
+}
+
+TEST(ShearedSample, GoesOnWithTheSameBits) {
+  NativeEngine<double> engine({.threads = 1}), other({.threads = 1});
+  DemSample whole(engine, lattice_without_layers(), {Material{}, step, 0.0});
+  whole.strain({{30.0, 0.5}, 3000, step});
+  const SampleState state = whole.state();
+  DemSample second(other, lattice_without_layers(), {Material{}, step, 0.0});
+  second.restore(state);
+  for (DemSample* sample : {&whole, &second}) sample->strain({{40.0, -0.2}, 3000, step});
+  const Assembly expected = whole.assembly(), reached = second.assembly();
+  EXPECT_EQ(reached.cell.shear_offset, expected.cell.shear_offset);
+  EXPECT_EQ(second.stress().shear, whole.stress().shear);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(reached.position[i], expected.position[i]);
+}
+
+TEST(ShearedSample, HasNoLayersAndIsNoneOfLiggghts) {
+  NativeEngine<double> engine({.threads = 1});
+  Assembly glued = lattice_without_layers();
+  glued.role.front() = Role::bottom_layer;
+  EXPECT_THROW(DemSample(engine, glued, {Material{}, step, 0.0}), std::invalid_argument);
+  const auto liggghts = make_engine("liggghts", testing::TempDir() + "sheared_sample.log");
+  EXPECT_THROW(DemSample(*liggghts, lattice_without_layers(), {Material{}, step, 0.0}), EngineError);
+  EXPECT_THROW(liggghts->move({Vector3::Zero(), Vector3(1.0, 0.0, 0.0), 0.0, 0.0}), EngineError);
 }
 
 /// The same exchanges, once as a whole and once from a state that was stored after some of them.

@@ -51,6 +51,25 @@ TEST(Preparation, ReachesItsTargetsAndHoldsThemAtRest) {
   EXPECT_NEAR(loaded.strain(rest).normal, sample.stress.normal, 1e-3 * sample.stress.normal);
 }
 
+TEST(Preparation, WithAPeriodicHeightReachesTheSameTargetsWithoutLayers) {
+  const auto engine = make_engine("native", "");
+  SampleRecipe recipe = small_recipe();
+  recipe.periodic_height = true;
+  const PreparedSample sample = prepare_sample(*engine, recipe);
+  const double tolerance = 4.0 * recipe.stress_tolerance * recipe.normal_stress;
+  EXPECT_NEAR(sample.stress.normal, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.lateral_x, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.lateral_y, recipe.normal_stress, tolerance);
+  EXPECT_NEAR(sample.stress.shear, recipe.shear_stress, tolerance);
+  EXPECT_EQ(sample.bulk_void_ratio, sample.void_ratio);
+  EXPECT_GT(sample.void_ratio, 0.6);
+  EXPECT_LT(sample.void_ratio, 1.0);
+  EXPECT_TRUE(sample.assembly.cell.periodic[2]);
+  EXPECT_EQ(std::count(sample.assembly.role.begin(), sample.assembly.role.end(), Role::mobile), 150);
+  // It carries tau_0 across the faces, which have slid to do so.
+  EXPECT_NE(sample.assembly.cell.shear_offset, 0.0);
+}
+
 TEST(Preparation, SaysWhichStageFailed) {
   const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
   SampleRecipe recipe = small_recipe();

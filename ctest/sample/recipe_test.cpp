@@ -33,6 +33,7 @@ TEST(Recipe, TextTellsAnyTwoRecipesApart) {
       [](SampleRecipe& r) { r.servo_rates[1] = 0.2; },
       [](SampleRecipe& r) { r.servo_interval = 20; },
       [](SampleRecipe& r) { r.stress_tolerance = 1e-2; },
+      [](SampleRecipe& r) { r.periodic_height = true; },
   };
   std::set<std::string> texts;
   for (const Change& change : changes) {
