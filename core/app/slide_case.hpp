@@ -51,6 +51,7 @@ class SlideCase : public Case {
   /// Columns, or the axis "time", over which the figures show the replicates.
   virtual std::vector<std::string> abscissas() const = 0;
 
+  const SlopeProperties& slope() const { return slope_; }
   /// All slides of the configuration, replicates too.
   const std::vector<SlidePoint>& slides() const { return slides_; }
   /// The results of these points by the names of their slides.

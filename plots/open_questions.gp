@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What the paper left open, glued layers beside homogeneous shear across periodic faces: (A) profile of the velocity,
+# (B) largest velocity over the size of the sample, (C) mu(I) of steady shear, fitted, and of glass beads.
+tables = "hold_glued_profiles_band.dat hold_homogeneous_profiles_band.dat sizes_glued.dat sizes_homogeneous.dat ".\
+  "mu_of_I_loose.dat mu_of_I_middle.dat mu_of_I_dense.dat mu_of_I_laws.dat"
+command = "./reproduce open_questions"
+script = ARG0; folder = ARG1; picture = ARG2
+here = script[1:strlen(script) - strlen("open_questions.gp")]
+load here."style.gp"
+
+array sample[2] = ["glued", "homogeneous"]
+array shown[2] = ["glued layers", "homogeneous"]
+array colour[2] = [vermillion, blue]
+array mark[2] = [8, 7]
+profile(s) = data("hold_".sample[s]."_profiles_band.dat")
+velocity(i) = 2 + 9 * (i - 1)   # behind the height, per profile: velocity, shear, normal, each as median, lowest, highest
+
+do for [format in "png pdf"] {
+  eval terminal(format, 18, 6.6)
+  set output picture.".".format
+  set multiplot layout 1, 3
+  set bmargin at screen 0.21; set tmargin at screen 0.88
+
+  set title panel("A", "velocity at 30 % shear strain")
+  set xlabel "⟨{/:Italic v_x}⟩ / {/:Italic v_{x,}}_{top}"
+  set ylabel "relative height {/:Italic z} / {/:Italic H}" offset 1
+  set xrange [0:1]; set yrange [0:1]
+  set key bottom right Left reverse
+  set arrow 1 from first 0, 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
+  plot for [s = 1:2] profile(s) using (column(velocity(3))):1:(column(velocity(3) + 1)):(column(velocity(3) + 2)) \
+         with xerrorbars linewidth 0.6 pointtype mark[s] pointsize 0.4 linecolor rgb colour[s] notitle, \
+       for [s = 1:2] profile(s) using (column(velocity(3))):1 \
+         with linespoints linewidth 1.2 pointtype mark[s] pointsize 0.6 linecolor rgb colour[s] title shown[s]
+  unset arrow 1
+
+  set title panel("B", "size of the sample")
+  set xlabel "number of grains {/:Italic N}"
+  set ylabel "largest velocity {/:Italic v}_{max} (m/s)" offset 1
+  set logscale x
+  set xrange [200:40000]; set yrange [0:*]
+  set xtics (300, 1000, 3000, "10^4" 10000)
+  set key bottom right Left reverse
+  plot for [s = 1:2] data("sizes_".sample[s].".dat") using 1:2:3:4 \
+         with yerrorbars linewidth 1.2 pointtype mark[s] pointsize 0.7 linecolor rgb colour[s] title shown[s]
+
+  set title panel("C", "friction of steady shear")
+  set xlabel "inertial number {/:Italic I}"
+  set ylabel "friction {/:Italic μ} = {/:Italic τ} / {/:Italic σ}" offset 1
+  set xrange [1e-4:3]; set yrange [0.3:0.7]
+  set format x "10^{%T}"; set xtics 1e-4, 10
+  set key top left Left reverse
+  plot data("mu_of_I_laws.dat") using 1:3 with lines linewidth 1.2 dashtype 2 linecolor rgb grey \
+         title "glass beads", \
+       data("mu_of_I_laws.dat") using 1:2 with lines linewidth 1.2 linecolor rgb black title "fitted", \
+       data("mu_of_I_loose.dat") using 1:2 with points linewidth 1.2 pointtype 7 pointsize 0.7 linecolor rgb blue \
+         title "{/:Italic e} = 0.81", \
+       data("mu_of_I_middle.dat") using 1:2 with points linewidth 1.2 pointtype 4 pointsize 0.7 linecolor rgb orange \
+         title "{/:Italic e} = 0.77", \
+       data("mu_of_I_dense.dat") using 1:2 with points linewidth 1.2 pointtype 8 pointsize 0.7 linecolor rgb purple \
+         title "{/:Italic e} = 0.73"
+  unset multiplot
+  unset logscale x
+  set format x
+  set xtics autofreq
+  set output
+}
