@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "record/assembly_group.hpp"
+#include "record/series_group.hpp"
 
 namespace flowslide {
 namespace {
 
-constexpr const char* part = "checkpoint";
+constexpr const char *part = "checkpoint", *complete_profiles = "complete_profiles";
 
 /// Calls `visit(name, member)` for each number of a state; the one list that writing and reading share.
 template <typename State, typename Visit>
@@ -44,18 +45,6 @@ struct WriteNumber {
   hdf5::Group& group;
   void operator()(const char* name, double value) const { group.set_attribute(name, value); }
   void operator()(const char* name, std::int64_t value) const { group.set_attribute(name, value); }
-};
-
-struct ReadNumber {
-  const hdf5::Group& group;
-  void operator()(const char* name, double& value) const {
-    value = group.number_attribute(name);
-    if (!std::isfinite(value)) throw CorruptFileError(fmt::format("{}: {} is {}", group.label(), name, value));
-  }
-  void operator()(const char* name, std::int64_t& value) const {
-    value = group.integer_attribute(name);
-    if (value < 0) throw CorruptFileError(fmt::format("{}: {} is {}", group.label(), name, value));
-  }
 };
 
 void write_profiles(hdf5::Group& parent, const std::vector<ProfileSums>& profiles) {
@@ -103,6 +92,7 @@ void write_slide(hdf5::Group& parent, const SlideCheckpoint& slide) {
   group.set_attribute("next_row_time", slide.next_time);
   group.set_attribute("next_row_strain", slide.next_strain);
   write_profiles(group, slide.profiles);
+  if (!slide.complete_profiles.columns.empty()) write_series(group, complete_profiles, slide.complete_profiles);
 }
 
 SlideCheckpoint read_slide(const hdf5::Group& parent) {
@@ -116,6 +106,7 @@ SlideCheckpoint read_slide(const hdf5::Group& parent) {
   slide.next_time = group.number_attribute("next_row_time");
   slide.next_strain = group.number_attribute("next_row_strain");
   slide.profiles = read_profiles(group);
+  if (group.has(complete_profiles)) slide.complete_profiles = read_series(group, complete_profiles);
   return slide;
 }
 
@@ -137,12 +128,6 @@ void check_finite(const Assembly& assembly, const std::string& label) {
           "a cell without volume");
 }
 
-Assembly read_finite(const hdf5::Group& parent, const std::string& name) {
-  Assembly assembly = read_assembly(parent, name);
-  check_finite(assembly, parent.label() + "/" + name);
-  return assembly;
-}
-
 void write_sample(hdf5::Group& parent, const SampleState& sample) {
   auto group = parent.create_group("sample");
   auto numbers = group.create_group("numbers");
@@ -159,11 +144,27 @@ SampleState read_sample(const hdf5::Group& parent) {
     if (!std::isfinite(value)) throw CorruptFileError(fmt::format("{}: {} is {}", numbers.label(), name, value));
     sample.numbers[name] = value;
   }
-  if (group.has("grains")) sample.grains = read_finite(group, "grains");
+  if (group.has("grains")) sample.grains = read_finite_assembly(group, "grains");
   return sample;
 }
 
 }  // namespace
+
+void ReadNumber::operator()(const char* name, double& value) const {
+  value = group.number_attribute(name);
+  if (!std::isfinite(value)) throw CorruptFileError(fmt::format("{}: {} is {}", group.label(), name, value));
+}
+
+void ReadNumber::operator()(const char* name, std::int64_t& value) const {
+  value = group.integer_attribute(name);
+  if (value < 0) throw CorruptFileError(fmt::format("{}: {} is {}", group.label(), name, value));
+}
+
+Assembly read_finite_assembly(const hdf5::Group& parent, const std::string& name) {
+  Assembly assembly = read_assembly(parent, name);
+  check_finite(assembly, parent.label() + "/" + name);
+  return assembly;
+}
 
 void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint) {
   write_result(root, checkpoint.so_far);
@@ -191,7 +192,7 @@ Checkpoint read_checkpoint(const hdf5::Group& root) {
   for (std::size_t i = 0; i < shots.names().size(); ++i) {
     const auto shot = shots.group(fmt::format("{}", i));
     checkpoint.shots.push_back(
-        {shot.number_attribute("time"), shot.number_attribute("strain"), read_finite(shot, "grains")});
+        {shot.number_attribute("time"), shot.number_attribute("strain"), read_finite_assembly(shot, "grains")});
   }
   return checkpoint;
 }

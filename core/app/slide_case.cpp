@@ -119,10 +119,10 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
                      predicted_steps(settings, planned.stop), settings.passing.time_step);
 }
 
-void SlideCase::prepare(const Point& point, const ProgressStyle& progress) const {
+void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const {
   if (closed_form_) return;
   find_sample(*make_engine(preparation_engine_, "/dev/null"), slide(point.name).sample, sample_cache_folder(),
-              progress);
+              progress, border);
 }
 
 SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) const {
@@ -136,7 +136,7 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   const auto preparing =
       make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"), run.threads);
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
-                                        [&] { run.checkpoints.border_of_preparation(); });
+                                        [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   loaded.metrics = metrics_of(found);
   loaded.engine =
       make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"), run.threads);
@@ -197,7 +197,8 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
     run.checkpoints.border([&] {
       return Checkpoint{result_of(running, loaded, run, {record.series, profiles.series(), Stop::not_yet}),
                         progress.share_done(state), loaded.sample->state(),
-                        SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums()},
+                        SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums(),
+                                        profiles.series()},
                         {}};
     });
     return true;

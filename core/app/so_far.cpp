@@ -37,7 +37,12 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
   const auto last = last_checkpoint(output, point);
   said += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
   if (!last) return false;
-  write_table(copy.file(point + ".dat"), table_of(last->so_far));
+  Table table = table_of(last->so_far);
+  write_table(copy.file(point + ".dat"), table);
+  if (last->slide && !last->slide->complete_profiles.columns.empty()) {
+    table.series = last->slide->complete_profiles;
+    write_table(copy.file(point + "_profiles.dat"), table);
+  }
   write_result(copy.file(point + ".h5"), last->so_far);
   return true;
 }

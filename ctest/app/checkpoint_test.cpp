@@ -70,6 +70,7 @@ TEST(Checkpoint, KeepsProfilesAndShots) {
     EXPECT_EQ(b.sample_normal, a.sample_normal);
     EXPECT_EQ(b.snapshots, a.snapshots);
   }
+  expect_same_bits(checkpoint.slide->complete_profiles, again.slide->complete_profiles);
   ASSERT_EQ(again.shots.size(), 1U);
   EXPECT_EQ(again.shots[0].strain, checkpoint.shots[0].strain);
   expect_same_bits(checkpoint.shots[0].assembly, again.shots[0].assembly);

@@ -26,6 +26,7 @@ TEST(SoFar, HasWhatIsCompleteAndWhatIsKept) {
               "RD: complete\nRI: so far at " + place_of(example_checkpoint()) + "\nRX: nothing yet\n");
   expect_same_bits(read_result(copy.file("RI.h5")).series, example_checkpoint().so_far.series);
   expect_same_bits(read_table(copy.file("RI.dat")).series, example_checkpoint().so_far.series);
+  expect_same_bits(read_table(copy.file("RI_profiles.dat")).series, example_checkpoint().slide->complete_profiles);
   EXPECT_EQ(content_of(copy.file("RD.dat")), content_of(output.file("RD.dat")));
   EXPECT_FALSE(std::filesystem::exists(output.file("RI.h5")));
 }
