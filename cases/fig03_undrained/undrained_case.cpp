@@ -88,19 +88,20 @@ void UndrainedCase::print_plan(const Point& point, std::ostream& out) const {
 
 FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem::path& log,
                                       const ProgressStyle& progress, int threads,
-                                      const std::function<void()>& interruption) const {
+                                      const PreparationBorder& border) const {
   return find_sample(*make_engine(preparation_engine_, log, threads), sample_of(curve), sample_cache_folder(), progress,
-                     interruption);
+                     border);
 }
 
-void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress) const {
-  sample_for(curve(point.name), "/dev/null", progress, 0);
+void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const {
+  sample_for(curve(point.name), "/dev/null", progress, 0, border);
 }
 
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
   const Curve& running = curve(point.name);
   const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress,
-                                       run.threads, [&] { run.checkpoints.border_of_preparation(); });
+                                       run.threads,
+                                       [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"), run.threads);
 
   run.checkpoints.check_engine(engine->name(), engine->version());

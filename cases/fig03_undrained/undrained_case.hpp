@@ -28,7 +28,7 @@ class UndrainedCase : public Case {
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
-  void prepare(const Point& point, const ProgressStyle& progress) const override;
+  void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
   void run(const Point& point, const PointRun& run) const override;
   std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                         const std::vector<std::string>& points) const override;
@@ -39,7 +39,7 @@ class UndrainedCase : public Case {
   const Curve& curve(const std::string& name) const;
   /// The sample of a curve, from the cache or by the engine of the preparation, which writes of itself to `log`.
   FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress,
-                         int threads, const std::function<void()>& interruption = {}) const;
+                         int threads, const PreparationBorder& border) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

@@ -54,7 +54,7 @@ SampleRecipe Workshop::numbered(SampleRecipe recipe, std::int64_t sample) {
 PreparedSample Workshop::prepared(const SampleRecipe& recipe) const {
   const auto preparing = engine();
   return find_sample(*preparing, {"of a hard scene", recipe, any_void_ratio}, sample_cache_folder(), run_.progress,
-                     [this] { border(); })
+                     [this](const auto& keep) { run_.checkpoints.border_of_preparation(keep); })
       .sample;
 }
 

@@ -44,7 +44,7 @@ class Workshop {
   PreparedSample prepared(const SampleRecipe& recipe) const;
   std::unique_ptr<Engine> engine() const;
   /// Ends the run here if it is to stop (see PointCheckpoints); a scene starts anew the next time.
-  void border() const { run_.checkpoints.border_of_preparation(); }
+  void border() const { run_.checkpoints.border_of_preparation([] { return false; }); }
   /// What a user gets who writes these lines of TOML into the tables [coupling] and [loading] of a case, on this slope.
   /// Throws ConfigurationError as for the user.
   SlideSettings slide(const std::string& coupling, const std::string& loading, const SlopeProperties& slope) const;

@@ -97,10 +97,12 @@ class CaseProgram {
   }
 
   int prepare() const {
+    RunControl control({options_.checkpoint_interval, options_.max_walltime});
+    const auto border = [&](const std::function<bool()>& keep) { control.border_of_preparation(keep); };
     std::set<std::string> prepared{""};
     for (const Point& point : points_)
       if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
-        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()));
+        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), border);
     return to_int(ExitCode::ok);
   }
 

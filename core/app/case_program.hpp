@@ -11,6 +11,7 @@
 #include "app/configuration.hpp"
 #include "app/output_folder.hpp"
 #include "app/point_checkpoints.hpp"
+#include "app/preparation_checkpoints.hpp"
 #include "app/progress.hpp"
 #include "record/provenance.hpp"
 
@@ -48,7 +49,7 @@ class Case {
   /// ranks, as engines are made by all of them; `out` shows what the first writes.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
   /// Prepares the sample of a point for the cache, or finds it there. Collective over the MPI ranks.
-  virtual void prepare(const Point&, const ProgressStyle&) const {}
+  virtual void prepare(const Point&, const ProgressStyle&, const PreparationBorder&) const {}
   /// Runs a point, from where its checkpoints say, and writes its files, <point>.h5 last: a point is complete with
   /// that, and its checkpoints go. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;

@@ -81,13 +81,6 @@ void PointCheckpoints::keep(const Checkpoint& checkpoint, bool stopping) {
   say("flowslide: " + failure);
 }
 
-void PointCheckpoints::border_of_preparation() {
-  const RunControl::Due due = control_.border();
-  if (due == RunControl::Due::checkpoint) control_.kept();
-  if (due == RunControl::Due::stop)
-    control_.stop("its sample was being prepared, and that begins anew; complete trials are kept in the cache");
-}
-
 std::string place_of(const Checkpoint& checkpoint) {
   if (checkpoint.slide) {
     const SlideState& state = checkpoint.slide->state;

@@ -29,8 +29,8 @@ class PointCheckpoints {
   /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that
   /// is a FileError.
   void border(const std::function<Checkpoint()>& now);
-  /// The same where nothing can be kept, such as in a preparation.
-  void border_of_preparation();
+  /// The same while a sample is prepared, see RunControl.
+  void border_of_preparation(const std::function<bool()>& keep) { control_.border_of_preparation(keep); }
 
  private:
   void keep(const Checkpoint& checkpoint, bool stopping);

@@ -81,6 +81,16 @@ void RunControl::kept() {
   kept_since_border_ = true;
 }
 
+void RunControl::border_of_preparation(const std::function<bool()>& keep) {
+  const Due due = border();
+  if (due == Due::nothing) return;
+  const bool kept_it = keep();
+  kept();
+  if (due == Due::stop)
+    stop(kept_it ? "its sample is being prepared, and the same command goes on with that"
+                 : "its sample is being prepared, and that begins anew; complete trials are kept in the cache");
+}
+
 void RunControl::stop(const std::string& what) const {
   const char* why = reason_ == StopReason::interrupt ? "interrupted"
                     : reason_ == StopReason::walltime ? "out of the time given by --max-walltime"

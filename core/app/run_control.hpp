@@ -41,6 +41,9 @@ class RunControl {
   Due border();
   /// A checkpoint has been written since the last border, or nothing is to be: the interval begins anew.
   void kept();
+  /// A border within the preparation of a sample: calls `keep` when a checkpoint or a stop is due, and throws Stopped
+  /// if the run is to stop. `keep` says whether the preparation can go on from there; it has no other way.
+  void border_of_preparation(const std::function<bool()>& keep);
   /// Why border() said stop.
   StopReason reason() const { return reason_; }
   /// Throws Stopped: 130 after an interrupt, else 75. `what` is a clause: "fig12 RD_3kPa: the same command goes on".

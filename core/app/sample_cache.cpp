@@ -11,6 +11,7 @@
 #include "app/ranks.hpp"
 #include "record/hash.hpp"
 #include "record/sample_store.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 namespace {
@@ -56,29 +57,78 @@ PreparedSample prepared(const StoredSample& stored) {
 }
 
 /// The lock of a sample on the first rank, once no other process holds it.
-std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key,
-                                 const std::function<void()>& interruption) {
+std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const PreparationBorder& border) {
   std::optional<FileLock> lock;
   for (;;) {
     on_first_rank([&] { lock = store.try_lock(key); });
     if (same_on_all_ranks(lock.has_value())) return lock;
-    if (interruption) interruption();
+    if (border) border([] { return false; });
     std::this_thread::sleep_for(time_between_tries);
   }
 }
 
 PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
-                                     const ProgressStyle& style, const std::function<void()>& interruption) {
-  Progress progress(label, typical_steps, style);
-  const PreparedSample sample = prepare_sample(engine, recipe, [&](const PreparationProgress& now) {
+                                     const ProgressStyle& style, PreparationCheckpoints& checkpoints,
+                                     const PreparationBorder& border) {
+  const std::optional<PreparationState> from = checkpoints.find();
+  const std::int64_t done = from ? from->steps : 0;
+  Progress progress(label, std::max(typical_steps, done), style, done);
+  if (from) progress.message(fmt::format("{}: goes on in stage {} of 4", label, std::min(from->stage, 4)));
+  const auto observe = [&](const PreparationProgress& now) {
     if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
     progress.update(now.steps, fmt::format("stage {} of 4, e {:.3f}, sigma {:.0f} Pa", std::min(now.stage, 4),
                                            now.void_ratio, now.stress.normal));
-    if (interruption) interruption();
-  });
-  progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
-  return sample;
+    if (border) border([&] { return checkpoints.keep(now.state()); });
+  };
+  try {
+    const PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+    progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
+    return sample;
+  } catch (const NumericalFailure& failure) {
+    progress.message(fmt::format("{}: failed: {}", label, failure.what()));
+    throw;
+  }
 }
+
+/// What is kept of a preparation that failed. The steps that it had are no part of a sample's key: one that is complete
+/// needed no more of them.
+FailedSample failed(const SampleRecipe& recipe, const std::string& reason) {
+  return {fmt::format("{}most_steps = {}\n", recipe.text(), recipe.most_steps), reason};
+}
+
+/// The way from a recipe to its sample: out of the cache, or by a preparation that is kept there.
+struct Trials {
+  Engine& engine;
+  const SampleStore& store;
+  const std::filesystem::path& folder;
+  const ProgressStyle& style;
+  const PreparationBorder& border;
+
+  PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
+    const std::string key = cache_key(recipe, engine.name() + " " + engine.version());
+    const std::optional<FileLock> lock = wait_for(store, key, border);
+    if (const auto kept = store.find(key)) {
+      try {
+        return prepared(*kept);
+      } catch (const CorruptFileError& error) {
+        throw CorruptFileError(store.path(key).string() + " " + error.what());
+      }
+    }
+    if (const auto known = store.find_failure(key); known && known->recipe == failed(recipe, {}).recipe)
+      throw NumericalFailure(known->reason);
+    PreparationCheckpoints checkpoints(folder, key);
+    try {
+      const PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
+      on_first_rank([&] { store.put(key, stored(made, recipe.text())); });
+      checkpoints.remove();
+      return made;
+    } catch (const NumericalFailure& failure) {
+      on_first_rank([&] { store.put_failure(key, failed(recipe, failure.what())); });
+      checkpoints.remove();
+      throw;
+    }
+  }
+};
 
 }  // namespace
 
@@ -101,28 +151,15 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
 }
 
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
-                        const ProgressStyle& style, const std::function<void()>& interruption) {
+                        const ProgressStyle& style, const PreparationBorder& border) {
   std::optional<SampleStore> store;
   on_first_rank([&] { store.emplace(cache); });
   if (!store) store.emplace(cache);  // the folder is there now
-  const std::string engine_name = engine.name() + " " + engine.version();
+  const Trials trials{engine, *store, cache, style, border};
   FoundSample found;
   const auto prepare = [&](const SampleRecipe& recipe) {
-    const std::string key = cache_key(recipe, engine_name);
-    const std::optional<FileLock> lock = wait_for(*store, key, interruption);
-    if (const auto kept = store->find(key)) {
-      try {
-        found.sample = prepared(*kept);
-      } catch (const CorruptFileError& error) {
-        throw CorruptFileError(store->path(key).string() + " " + error.what());
-      }
-    } else {
-      found.sample = prepare_with_progress(engine, recipe, fmt::format("sample {} (e0 {} wanted), trial {}",
-                                                                       specification.name,
-                                                                       specification.target.void_ratio,
-                                                                       found.trials + 1), style, interruption);
-      on_first_rank([&] { store->put(key, stored(found.sample, recipe.text())); });
-    }
+    found.sample = trials.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
+                                                     specification.target.void_ratio, found.trials + 1));
     ++found.trials;
     return found.sample.void_ratio;
   };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <vector>
 
 #include "app/models.hpp"
+#include "app/preparation_checkpoints.hpp"
 #include "app/progress.hpp"
 #include "dem/engine.hpp"
 #include "record/series.hpp"
@@ -29,11 +29,10 @@ std::filesystem::path sample_cache_folder();
 std::string cache_key(const SampleRecipe& recipe, const std::string& engine);
 
 /// Searches the recipe until the sample has its void ratio. Every trial is kept in the cache under the hash of all that
-/// went into it, engine included, so that the same search finds its samples again without a step. Collective over the
-/// MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache. `interruption` is called
-/// many times while a sample is prepared or waited for, and may end that by an exception: trials are kept whole or not
-/// at all, and one that was not complete begins anew.
+/// went into it, engine included, one that failed with its reason, so that the same search takes the same way again
+/// without a step. Collective over the MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache. `border` is called many
+/// times while a sample is prepared or waited for: what it keeps of a preparation, the next call goes on from.
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
-                        const ProgressStyle& style, const std::function<void()>& interruption = {});
+                        const ProgressStyle& style, const PreparationBorder& border = {});
 
 }  // namespace flowslide

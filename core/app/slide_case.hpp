@@ -33,7 +33,7 @@ class SlideCase : public Case {
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
-  void prepare(const Point& point, const ProgressStyle& progress) const override;
+  void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
   /// Writes <point>.h5 and .dat, and <point>_profiles.dat if profiles were asked for.
   void run(const Point& point, const PointRun& run) const override;
   /// "<point>.<metric>" of each result, "<slide>.<metric>.median" and so on of its replicates (see summary_of), and

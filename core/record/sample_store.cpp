@@ -18,6 +18,12 @@ namespace flowslide {
 namespace {
 
 constexpr const char* mend = "delete it, and the sample will be prepared again";
+constexpr std::string_view failure_mark = "failed: ";
+
+bool is_there(const std::filesystem::path& path) {
+  std::error_code failure;  // what cannot be looked at is taken to be there, and reading it says why it cannot
+  return std::filesystem::exists(path, failure) || failure;
+}
 
 void check_finite(const Assembly& assembly) {
   const auto require = [](bool finite, const char* name, std::size_t index) {
@@ -56,8 +62,7 @@ std::filesystem::path SampleStore::path(const std::string& key) const {
 
 std::optional<StoredSample> SampleStore::find(const std::string& key) const {
   const auto file_path = path(key);
-  std::error_code failure;
-  if (!std::filesystem::exists(file_path, failure) && !failure) return std::nullopt;
+  if (!is_there(file_path)) return std::nullopt;
   const std::string image = read_sealed(file_path, mend);
   try {
     const auto file = hdf5::File::open(image, file_path.string());
@@ -80,6 +85,26 @@ void SampleStore::put(const std::string& key, const StoredSample& sample) const 
   check_finite(sample.assembly);
   write_metrics(root, "metrics", sample.metrics);
   write_sealed(file_path, file.image(), IfExists::replace);
+}
+
+std::filesystem::path SampleStore::failure_path(const std::string& key) const {
+  return path(key).replace_extension(".failed");
+}
+
+std::optional<FailedSample> SampleStore::find_failure(const std::string& key) const {
+  const auto file_path = failure_path(key);
+  if (!is_there(file_path)) return std::nullopt;
+  const std::string text = read_sealed(file_path, mend), first_line = key + "\n";
+  const std::size_t mark = text.find(failure_mark);
+  if (!text.starts_with(first_line) || mark == std::string::npos)
+    throw CorruptFileError(fmt::format("{} holds the failure of another key; {}", file_path.string(), mend));
+  return FailedSample{text.substr(first_line.size(), mark - first_line.size()),
+                      text.substr(mark + failure_mark.size())};
+}
+
+void SampleStore::put_failure(const std::string& key, const FailedSample& failure) const {
+  write_sealed(failure_path(key), fmt::format("{}\n{}{}{}", key, failure.recipe, failure_mark, failure.reason),
+               IfExists::replace);
 }
 
 FileLock SampleStore::lock(const std::string& key) const {

@@ -20,7 +20,14 @@ struct StoredSample {
   std::vector<Metric> metrics;      ///< such as void ratio and the stresses reached
 };
 
-/// Prepared samples in a folder, one file <key>.h5 each, `key` being the hash of the recipe (letters and digits).
+/// A preparation that came to nothing.
+struct FailedSample {
+  std::string recipe;  ///< text of all that determined it
+  std::string reason;
+};
+
+/// Prepared samples in a folder, one file <key>.h5 each, `key` being the hash of the recipe (letters and digits), and
+/// what came of those that failed, one text <key>.failed each.
 /// Not collective: with several MPI ranks, one of them calls this and broadcasts.
 class SampleStore {
  public:
@@ -33,6 +40,10 @@ class SampleStore {
   /// Keeps `sample`, whole or not at all, in place of one of the same key. Throws std::invalid_argument if a value is
   /// not finite, FileError if it cannot be written.
   void put(const std::string& key, const StoredSample& sample) const;
+  /// Why the preparation failed; empty if none is known to. Throws as find().
+  std::optional<FailedSample> find_failure(const std::string& key) const;
+  /// Keeps a failure, whole or not at all. Throws FileError if it cannot be written.
+  void put_failure(const std::string& key, const FailedSample& failure) const;
   /// Waits until no other process holds the lock of `key`.
   FileLock lock(const std::string& key) const;
   /// The lock, or empty if another process holds it.
@@ -41,6 +52,8 @@ class SampleStore {
   StoredSample find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const;
   /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.
   std::filesystem::path path(const std::string& key) const;
+  /// <folder>/<key>.failed. Throws as path().
+  std::filesystem::path failure_path(const std::string& key) const;
 
  private:
   std::filesystem::path folder_;

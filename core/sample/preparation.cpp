@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <stdexcept>
 
 #include "grains/measures.hpp"
 #include "sample/failure.hpp"
 #include "sample/glued_layers.hpp"
 #include "sample/health.hpp"
+#include "sample/servo.hpp"
 
 namespace flowslide {
 namespace {
@@ -27,49 +28,80 @@ class Preparation {
   Preparation(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe)
       : engine_(engine), recipe_(recipe), observe_(observe) {}
 
-  PreparedSample run() {
-    Assembly assembly = lattice_packing(recipe_.packing);
-    grains_ = assembly.size();
-    solid_volume_ = assembly.solid_volume();
-    if (recipe_.periodic_height) assembly.cell.periodic = {true, true, true};
-    EngineSettings settings{recipe_.material, recipe_.time_step, recipe_.drag};
-    settings.material.sliding_friction = recipe_.preparation_friction;
-    engine_.load(assembly, settings);
-
-    stage_ = 1;
-    compact();
-    stage_ = 2;
-    reach({0.1 * recipe_.normal_stress, std::nullopt, recipe_.servo_rates[0]}, intermediate_tolerance);
-    stage_ = 3;
-    assembly = engine_.save();
-    assembly.cell.periodic = {true, true, recipe_.periodic_height};
-    engine_.load(assembly, settings);
-    reach({0.2 * recipe_.normal_stress, std::nullopt, recipe_.servo_rates[1]}, intermediate_tolerance);
-    stage_ = 4;
-    assembly = engine_.save();
-    if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
-    settings.material = recipe_.material;
-    engine_.load(assembly, settings);
-    reach({recipe_.normal_stress, recipe_.shear_stress, recipe_.servo_rates[2]}, recipe_.stress_tolerance);
-    stage_ = 5;
-    settings.drag = 0.0;
-    engine_.set(settings);
+  PreparedSample run(const PreparationState* from) {
+    Assembly packing = lattice_packing(recipe_.packing);
+    if (recipe_.periodic_height) packing.cell.periodic = {true, true, true};
+    grains_ = packing.size();
+    solid_volume_ = packing.solid_volume();
+    if (from != nullptr) go_on(*from);
+    else engine_.load(packing, settings());
+    while (stage_ < 5) {
+      switch (stage_) {
+        case 1: compact(); break;
+        case 2: reach({0.1 * recipe_.normal_stress, {}, recipe_.servo_rates[0]}, intermediate_tolerance); break;
+        case 3: reach({0.2 * recipe_.normal_stress, {}, recipe_.servo_rates[1]}, intermediate_tolerance); break;
+        default: reach({recipe_.normal_stress, recipe_.shear_stress, recipe_.servo_rates[2]}, recipe_.stress_tolerance);
+      }
+      engine_.move({});
+      begin(stage_ + 1);
+    }
     return rest();
   }
 
  private:
   double present_void_ratio() const { return engine_.cell().volume() / solid_volume_ - 1.0; }
 
+  /// Those of the stage.
+  EngineSettings settings() const {
+    EngineSettings settings{recipe_.material, recipe_.time_step, stage_ < 5 ? recipe_.drag : 0.0};
+    if (stage_ < 4) settings.material.sliding_friction = recipe_.preparation_friction;
+    return settings;
+  }
+
+  void begin(int stage) {
+    stage_ = stage;
+    stage_start_ = steps_;
+    within_ = 0;
+    next_inspection_ = steps_ + 2 * time_step_interval;
+    if (stage == 3 || stage == 4) {
+      Assembly assembly = engine_.save();
+      if (stage == 3) assembly.cell.periodic = {true, true, recipe_.periodic_height};
+      else if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
+      engine_.load(assembly, settings());
+    } else if (stage == 5) {
+      engine_.set(settings());
+    }
+  }
+
+  PreparationState state() const {
+    return {stage_, steps_, stage_start_, within_, next_inspection_, stress_, engine_.save()};
+  }
+
+  void go_on(const PreparationState& from) {
+    if (from.assembly.size() != grains_)
+      throw std::invalid_argument(fmt::format("a preparation of {} grains cannot go on from a state of {}", grains_,
+                                              from.assembly.size()));
+    stage_ = from.stage;
+    steps_ = from.steps;
+    stage_start_ = from.stage_start;
+    within_ = from.within;
+    next_inspection_ = from.next_inspection;
+    stress_ = from.stress;
+    engine_.load(from.assembly, settings());
+  }
+
   void advance(std::int64_t steps) {
     engine_.run(steps);
     steps_ += steps;
     stress_ = engine_.cell_stress();
     check_exchange(engine_, stress_, grains_);
-    if (observe_) observe_({stage_, steps_, present_void_ratio(), stress_});
+  }
+
+  void observe() const {
+    if (observe_) observe_({stage_, steps_, present_void_ratio(), stress_, [this] { return state(); }});
   }
 
   void compact() {
-    const std::int64_t last = steps_ + recipe_.most_steps;
     const double rate = recipe_.compaction_rate;
     while (present_void_ratio() > recipe_.loose_void_ratio) {
       // The velocity of the walls is constant: that of the first moment.
@@ -80,41 +112,41 @@ class Preparation {
       motion.top_velocity.z() = -0.5 * rate * cell.height();
       engine_.move(motion);
       advance(recipe_.servo_interval);
-      if (steps_ > last) fail("the void ratio did not fall to its target");
+      if (steps_ - stage_start_ > recipe_.most_steps) fail("the void ratio did not fall to its target");
+      observe();
     }
-    engine_.move({});
   }
 
   /// Runs the servo until the stresses stay at their targets and the grains have come to rest.
   void reach(const ServoTarget& target, double tolerance) {
-    const std::int64_t last = steps_ + recipe_.most_steps;
-    std::int64_t within = 0, next_inspection = steps_ + 2 * time_step_interval;
     while (true) {
       engine_.move(servo_motion(target, engine_.cell(), stress_));
       advance(recipe_.servo_interval);
-      within = servo_deviation(target, stress_) < tolerance ? within + recipe_.servo_interval : 0;
-      if (steps_ >= next_inspection) {  // a step that is too long keeps the servo from its target for ever
+      within_ = servo_deviation(target, stress_) < tolerance ? within_ + recipe_.servo_interval : 0;
+      if (steps_ >= next_inspection_) {  // a step that is too long keeps the servo from its target for ever
         check_contact_time_step(engine_.save(), recipe_.material, recipe_.time_step);
-        next_inspection = steps_ + 2 * time_step_interval;
+        next_inspection_ = steps_ + 2 * time_step_interval;
       }
-      if (within >= inspection_interval) {
-        within = 0;
+      if (within_ >= inspection_interval) {
+        within_ = 0;
         const Assembly assembly = engine_.save();
         check_assembly(assembly);
-        if (kinetic_number(assembly, recipe_.material, target.normal) < recipe_.kinetic_tolerance) break;
+        if (kinetic_number(assembly, recipe_.material, target.normal) < recipe_.kinetic_tolerance) return;
       }
-      if (steps_ > last)
+      if (steps_ - stage_start_ > recipe_.most_steps)
         fail(fmt::format("the stresses are within {:.3g} of sigma_0, the tolerance is {}",
                          servo_deviation(target, stress_), tolerance));
+      observe();
     }
-    engine_.move({});
   }
 
   /// Stands still without drag and tells whether the sample holds its stress.
   PreparedSample rest() {
     const ServoTarget target{recipe_.normal_stress, recipe_.shear_stress, 0.0};
-    engine_.move({});
-    for (int look = 0; look < 4; ++look) advance(inspection_interval / 2);
+    while (steps_ < stage_start_ + 2 * inspection_interval) {
+      advance(inspection_interval / 2);
+      observe();
+    }
     PreparedSample sample;
     sample.assembly = engine_.save();
     check_assembly(sample.assembly);
@@ -147,16 +179,17 @@ class Preparation {
   const PreparationObserver& observe_;
   std::uint64_t grains_ = 0;
   double solid_volume_ = 0.0;
-  int stage_ = 0;
-  std::int64_t steps_ = 0;
+  int stage_ = 1;  // these as in PreparationState
+  std::int64_t steps_ = 0, stage_start_ = 0, within_ = 0, next_inspection_ = 0;
   CellStress stress_;
 };
 
 }  // namespace
 
-PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe) {
+PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe,
+                              const PreparationState* from) {
   validate(recipe);
-  return Preparation(engine, recipe, observe).run();
+  return Preparation(engine, recipe, observe).run(from);
 }
 
 }  // namespace flowslide

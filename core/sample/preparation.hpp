@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "dem/engine.hpp"
 #include "sample/recipe.hpp"
-#include "sample/servo.hpp"
 
 namespace flowslide {
 
@@ -16,6 +18,27 @@ struct PreparedSample {
   std::int64_t steps = 0;        ///< that the preparation took
 };
 
+/// All that a preparation goes on from, between two looks of its servo.
+struct PreparationState {
+  int stage = 1;                      ///< 1 to 4; 5 is the last rest
+  std::int64_t steps = 0;             ///< of this sample so far
+  std::int64_t stage_start = 0;       ///< steps when the stage began
+  std::int64_t within = 0;            ///< steps for which the stresses have been within their tolerance
+  std::int64_t next_inspection = 0;   ///< steps at which the time step is held against the contacts again
+  CellStress stress;
+  Assembly assembly;
+};
+
+/// Where a preparation stands.
+struct PreparationProgress {
+  int stage = 0;
+  std::int64_t steps = 0;
+  double void_ratio = 0.0;
+  CellStress stress;
+  std::function<PreparationState()> state;  ///< all of it; collective over the MPI ranks, as the engine is
+};
+using PreparationObserver = std::function<void(const PreparationProgress&)>;
+
 /// Prepares a sample in the four stages of the paper (sec. 2.2.1; refs 37, 38): (1) six rigid planes compress a sparse
 /// lattice packing at constant rate until e = 1.2; (2) a servo brings it to 0.1 sigma_0; (3) the lateral planes become
 /// periodic, 0.2 sigma_0; (4) a layer is glued to the bottom and the top, mu = 0.5, and the servo brings the normal
@@ -24,6 +47,10 @@ struct PreparedSample {
 /// `periodic_height` the same stages run in a cell without planes and layers, sheared across its faces.
 /// Leaves the sample loaded in `engine` with the settings of the recipe. Throws NumericalFailure if a stage does not
 /// reach its target, or the sample does not hold its stress at rest.
-PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe = {});
+/// `observe` is called after each look of the servo. With `from`, of the same recipe, it goes on from there: with the
+/// same bits on an engine that loads what it has saved with all of them. Throws std::invalid_argument if `from` has
+/// another number of grains.
+PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe = {},
+                              const PreparationState* from = nullptr);
 
 }  // namespace flowslide

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -14,15 +13,6 @@ struct ServoTarget {
   std::optional<double> shear;   ///< sigma_zx through the glued top layer; without it the top does not move sideways
   double rate_limit = 0.05;      ///< largest strain rate of any boundary, 1/s
 };
-
-/// Where a preparation stands, for a progress line.
-struct PreparationProgress {
-  int stage = 0;                 ///< 1 to 4; 5 is the last rest
-  std::int64_t steps = 0;        ///< of this sample so far
-  double void_ratio = 0.0;
-  CellStress stress;
-};
-using PreparationObserver = std::function<void(const PreparationProgress&)>;
 
 /// Strain rates proportional to what is missing, r clamp((s_t - s)/s_t, -1, 1), as motion of the boundaries; shear is
 /// softer and much smaller than the normal stress, so it counts what is missing five times.

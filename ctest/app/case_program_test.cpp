@@ -66,7 +66,10 @@ class Tiny : public Case {
     MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     out << "plan of " << point.name << " on " << ranks << "\n";
   }
-  void prepare(const Point& point, const ProgressStyle&) const override { ran.push_back("sample of " + point.name); }
+  void prepare(const Point& point, const ProgressStyle&, const PreparationBorder& border) const override {
+    border([] { return true; });
+    ran.push_back("sample of " + point.name);
+  }
   void run(const Point& point, const PointRun& run) const override {
     ran.push_back(point.name);
     provenance = run.provenance;

@@ -13,7 +13,9 @@ namespace flowslide {
 /// 0.015 of elastic compression.
 class ElasticBlock : public Engine {
  public:
-  explicit ElasticBlock(std::string version = "1") : version_(std::move(version)) {}
+  /// The first `collapses` preparations lose a grain.
+  explicit ElasticBlock(std::string version = "1", int collapses = 0)
+      : version_(std::move(version)), collapses_(collapses) {}
 
   /// Void ratio at which the block begins to bear stress; `chance` is a number of each packing.
   static double law(double friction, double chance) { return 0.72 + 0.15 * friction + 0.01 * chance; }
@@ -49,7 +51,7 @@ class ElasticBlock : public Engine {
     return {modulus * strain.z(), 0.3 * modulus * shear_strain_, 0.0, modulus * strain.x(), modulus * strain.y()};
   }
   Cell cell() const override { return assembly_.cell; }
-  std::uint64_t count_grains() const override { return assembly_.size(); }
+  std::uint64_t count_grains() const override { return assembly_.size() - (preparations_ <= collapses_ ? 1 : 0); }
   std::string name() const override { return "block"; }
   std::string version() const override { return version_; }
 
@@ -65,6 +67,7 @@ class ElasticBlock : public Engine {
   }
 
   std::string version_;
+  int collapses_;
   Assembly assembly_;
   EngineSettings settings_;
   BoundaryMotion motion_;

@@ -87,7 +87,6 @@ TEST_F(PointCheckpointsTest, KeepsAndStops) {
   ::raise(SIGTERM);
   EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.border(now); }), "the same command goes on from t = ");
   EXPECT_EQ(open(checkpoint_.so_far.configuration).found()->share_done, 0.7);
-  EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.border_of_preparation(); }), "begins anew");
 }
 
 TEST_F(PointCheckpointsTest, GoesOnWithoutACheckpointWhenTheDiskIsFull) {

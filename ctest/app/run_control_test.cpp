@@ -70,6 +70,21 @@ TEST_F(RunControlTest, LeavesTimeForCheckpoints) {
   EXPECT_EQ(control.border(), Due::stop);  // 40 + 10 + 2 * 30 + 5 > 100
 }
 
+TEST_F(RunControlTest, KeepsAPreparationWhenThatIsDue) {
+  RunControl control({.checkpoint_interval = 10.0}, clock());
+  int kept = 0;
+  const auto keep = [&] { return ++kept < 3; };
+  control.border_of_preparation(keep);
+  EXPECT_EQ(kept, 0);
+  pass(10.0);
+  control.border_of_preparation(keep);
+  control.border_of_preparation(keep);
+  EXPECT_EQ(kept, 1);
+  ::raise(SIGTERM);
+  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "the same command goes on with");
+  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "begins anew");
+}
+
 TEST_F(RunControlTest, StopsOnSignals) {
   for (const auto& [signal, code] : {std::pair{SIGTERM, ExitCode::resumable}, std::pair{SIGUSR1, ExitCode::resumable},
                                      std::pair{SIGINT, ExitCode::interrupted}}) {

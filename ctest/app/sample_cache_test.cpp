@@ -107,6 +107,33 @@ TEST_F(SampleCache, KeepsEveryTrialOfASearch) {
   EXPECT_EQ(found.sample.void_ratio, made.sample.void_ratio);
 }
 
+TEST_F(SampleCache, RemembersTrialsThatFailed) {
+  ElasticBlock first("1", 2), second;
+  const FoundSample made = find(first);
+  EXPECT_EQ(first.preparations(), 3);
+  EXPECT_EQ(made.trials, 1);
+  EXPECT_EQ(made.recipe.packing.seed, easy.recipe.packing.seed + 2);
+  const FoundSample found = find(second);  // which would not fail: what it finds is what was kept
+  EXPECT_EQ(second.steps(), 0);
+  EXPECT_EQ(found.trials, made.trials);
+  EXPECT_EQ(found.recipe.text(), made.recipe.text());
+  EXPECT_EQ(found.sample.void_ratio, made.sample.void_ratio);
+  EXPECT_EQ(found.sample.assembly.position, made.sample.assembly.position);
+}
+
+TEST_F(SampleCache, TriesAgainWithMoreSteps) {
+  SampleSpecification brief = specification(0.75, 0.02, 1);
+  brief.recipe.most_steps = 60;
+  ElasticBlock engine;
+  const auto [code, message] = end(engine, brief);
+  EXPECT_EQ(code, 3);
+  EXPECT_CONTAINS(message, "stage 1, after 90 steps: the void ratio did not fall to its target");
+  EXPECT_EQ(end(engine, brief).second, message);
+  EXPECT_EQ(engine.steps(), 90);
+  find(engine);
+  EXPECT_EQ(engine.preparations(), 2);
+}
+
 TEST_F(SampleCache, PreparesAgainForAnotherEngine) {
   ElasticBlock one("1"), two("2");
   find(one);

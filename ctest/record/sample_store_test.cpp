@@ -76,6 +76,22 @@ TEST(SampleStore, LeavesNothingAfterAnError) {
   EXPECT_THROW(SampleStore(folder / "file" / "samples"), FileError);
 }
 
+TEST(SampleStore, KeepsWhyAPreparationFailed) {
+  const TemporaryFolder folder;
+  const SampleStore store(folder.path());
+  EXPECT_FALSE(store.find_failure("abc123"));
+  store.put_failure("abc123", {"mu_1 = 0.3\n", "stage 4: failed: grain 7 is lost"});
+  const auto found = store.find_failure("abc123");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->recipe, "mu_1 = 0.3\n");
+  EXPECT_EQ(found->reason, "stage 4: failed: grain 7 is lost");
+  EXPECT_FALSE(store.find("abc123"));
+  EXPECT_FALSE(store.find_failure("abc124"));
+  expect_damage_found(store.failure_path("abc123"), [&] { store.find_failure("abc123"); });
+  std::filesystem::rename(store.failure_path("abc123"), store.failure_path("abc124"));
+  EXPECT_THROW(store.find_failure("abc124"), CorruptFileError);
+}
+
 TEST(SampleStore, TakesOnlyPlainKeys) {
   const TemporaryFolder folder;
   const SampleStore store(folder.path());

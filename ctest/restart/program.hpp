@@ -109,6 +109,10 @@ point.RD.profile_strains = [0.05, 0.2]
     said_ = process.said();
     return code;
   }
+  int run_for(double seconds, const std::string& folder, Words options) {
+    options.insert(options.end(), {"--max-walltime", std::to_string(seconds)});
+    return run(folder, options);
+  }
   /// Starts a run and waits until it has kept a checkpoint.
   std::unique_ptr<Process> start(const std::string& folder, const std::string& point, const Words& options) {
     const CheckpointStore store(out(folder) / ".flowslide", point);

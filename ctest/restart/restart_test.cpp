@@ -40,14 +40,57 @@ TEST_F(Restart, ASlideOnAClosedFormSampleGoesOnWithTheSameBits) {
   expect_same_after_stops("RI", {"--set", "stop.end_time=8", "--set", "coupling.time_step=1e-5"});
 }
 
+/// The sample with a cache of its own, in which it is prepared.
+class RestartPreparation : public Restart {
+ protected:
+  RestartPreparation() { use_cache("whole_cache"); }
+  void use_cache(const std::string& name) { ::setenv("FLOWSLIDE_CACHE", out(name).c_str(), 1); }
+  std::vector<std::string> files(const std::string& cache, const std::string& part) const {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(out(cache)))
+      if (const std::string name = entry.path().filename().string(); name.find(part) != name.npos) found.push_back(name);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  const Words options_{"--engine", "native", "--point", "alone"};
+};
+
+TEST_F(RestartPreparation, GoesOnWithTheSameBits) {
+  ASSERT_EQ(run("whole", options_), 0) << said_;
+  use_cache("stopped_cache");
+  int stops = 0, code = 0;
+  for (double seconds = 0.05; (code = run_for(seconds, "stopped", options_)) == 75; seconds *= 1.3) {
+    if (said_.find("its sample is being prepared, and the same command goes on with that") != said_.npos) ++stops;
+    ASSERT_LT(seconds, 1000.0) << said_;
+  }
+  ASSERT_EQ(code, 0) << said_;
+  EXPECT_GT(stops, 2);
+  expect_same_files("alone", "stopped", "whole");
+  EXPECT_EQ(files("stopped_cache", ".checkpoint_"), Words{});
+  ASSERT_EQ(files("stopped_cache", ".h5"), files("whole_cache", ".h5"));
+  for (const std::string& name : files("whole_cache", ".h5"))
+    EXPECT_EQ(content_of(out("stopped_cache") / name), content_of(out("whole_cache") / name)) << name;
+}
+
+TEST_F(RestartPreparation, RemembersTrialsThatFailed) {
+  // No two stresses at rest are that equal: each trial is prepared and found to drift.
+  Words options = options_;
+  options.insert(options.end(), {"--set", "preparation.stress_tolerance=2e-5", "--set", "sample.loose.most_trials=2"});
+  EXPECT_EQ(run("out", options), 3);
+  EXPECT_CONTAINS(said_, "trial 1: failed: sample preparation, stage ");
+  const std::string end = said_.substr(said_.rfind("flowslide: "));
+  EXPECT_EQ(files("whole_cache", ".failed").size(), 2U);
+  EXPECT_EQ(files("whole_cache", ".h5"), Words{});
+  EXPECT_EQ(run("out", options), 3);
+  EXPECT_EQ(said_, end);  // at once: no trial
+}
+
 TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {
   const Words options{"--engine", "native", "--point", "RD"};
   ASSERT_EQ(run("whole", options), 0) << said_;
   int stops = 0, code = 0;
   for (double seconds = 0.01; seconds < 1000.0; seconds *= 1.5, ++stops) {
-    Words limited = options;
-    limited.insert(limited.end(), {"--max-walltime", std::to_string(seconds)});
-    if ((code = run("limited", limited)) != 75) break;
+    if ((code = run_for(seconds, "limited", options)) != 75) break;
     EXPECT_CONTAINS(said_, "out of the time given by --max-walltime");
   }
   EXPECT_EQ(code, 0) << said_;

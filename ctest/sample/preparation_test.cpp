@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "dem/make_engine.hpp"
+#include "record/same_bits.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/failure.hpp"
 
@@ -69,6 +70,35 @@ TEST(Preparation, WithAPeriodicHeightReachesTheSameTargetsWithoutLayers) {
   // It carries tau_0 across the faces, which have slid to do so.
   EXPECT_NE(sample.assembly.cell.shear_offset, 0.0);
 }
+
+class PreparationFromAState : public testing::TestWithParam<bool> {};
+
+TEST_P(PreparationFromAState, GoesOnWithTheSameBits) {
+  SampleRecipe recipe = small_recipe();
+  recipe.periodic_height = GetParam();
+  std::vector<PreparationState> states;  // the twentieth of each stage, and the second of the last rest
+  int looks = 0;
+  const PreparedSample whole =
+      prepare_sample(*make_engine("native", "/dev/null"), recipe, [&](const PreparationProgress& now) {
+        looks = states.size() + 1 == static_cast<std::size_t>(now.stage) ? looks + 1 : 0;
+        if (looks == (now.stage < 5 ? 20 : 2)) states.push_back(now.state());
+      });
+  ASSERT_EQ(states.size(), 5U);
+  for (const PreparationState& state : states) {
+    const PreparedSample resumed = prepare_sample(*make_engine("native", "/dev/null"), recipe, {}, &state);
+    EXPECT_EQ(resumed.steps, whole.steps) << "stage " << state.stage;
+    EXPECT_EQ(resumed.void_ratio, whole.void_ratio);
+    EXPECT_EQ(resumed.kinetic_number, whole.kinetic_number);
+    EXPECT_EQ(resumed.stress.normal, whole.stress.normal);
+    EXPECT_EQ(resumed.stress.shear, whole.stress.shear);
+    expect_same_bits(resumed.assembly, whole.assembly);
+  }
+  PreparationState other = states.front();
+  other.assembly.resize(10);
+  EXPECT_THROW(prepare_sample(*make_engine("native", "/dev/null"), recipe, {}, &other), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutAPeriodicHeight, PreparationFromAState, testing::Bool());
 
 TEST(Preparation, SaysWhichStageFailed) {
   const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
