@@ -73,13 +73,14 @@ TEST_F(RestartPreparation, GoesOnWithTheSameBits) {
 }
 
 TEST_F(RestartPreparation, RemembersTrialsThatFailed) {
-  // No two stresses at rest are that equal: each trial is prepared and found to drift.
+  // At sigma_0, grains that soft overlap by more than spheres may.
   Words options = options_;
-  options.insert(options.end(), {"--set", "preparation.stress_tolerance=2e-5", "--set", "sample.loose.most_trials=2"});
+  options.insert(options.end(), {"--set", "material.youngs_modulus=1e6", "--set", "sample.loose.most_trials=1"});
   EXPECT_EQ(run("out", options), 3);
-  EXPECT_CONTAINS(said_, "trial 1: failed: sample preparation, stage ");
+  EXPECT_CONTAINS(said_, "trial 1: failed: ");
+  ASSERT_NE(said_.rfind("flowslide: "), std::string::npos) << said_;
   const std::string end = said_.substr(said_.rfind("flowslide: "));
-  EXPECT_EQ(files("whole_cache", ".failed").size(), 2U);
+  EXPECT_EQ(files("whole_cache", ".failed").size(), 1U);
   EXPECT_EQ(files("whole_cache", ".h5"), Words{});
   EXPECT_EQ(run("out", options), 3);
   EXPECT_EQ(said_, end);  // at once: no trial
