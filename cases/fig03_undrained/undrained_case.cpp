@@ -115,7 +115,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
     rows = kept->so_far.series;
   }
   const auto result_of = [&](const Series& series) {
-    Result result{run.provenance, run.configuration, run.configuration_hash, series, metrics_of(found)};
+    Result result{run.provenance_now(), run.configuration, run.configuration_hash, series, metrics_of(found)};
     for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
       result.metrics.push_back(metric);
     result.provenance.engine = engine->name();

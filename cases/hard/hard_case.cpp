@@ -56,7 +56,7 @@ void HardCase::print_plan(const Point& point, std::ostream& out) const {
 
 void HardCase::run(const Point& point, const PointRun& run) const {
   const SceneRecord record = scene(point.name).run(Workshop(suite_, run));
-  Result result{run.provenance, run.configuration, run.configuration_hash, series_of(record.trials),
+  Result result{run.provenance_now(), run.configuration, run.configuration_hash, series_of(record.trials),
                 counts_of(record.trials)};
   result.metrics.insert(result.metrics.end(), record.metrics.begin(), record.metrics.end());
   result.provenance.engine = suite_.engine;

@@ -10,6 +10,7 @@
 
 #include "app/canonical.hpp"
 #include "app/claims.hpp"
+#include "app/cost.hpp"
 #include "app/error.hpp"
 #include "app/ranks.hpp"
 #include "app/so_far.hpp"
@@ -164,6 +165,7 @@ class CaseProgram {
     run.provenance.case_name = case_name;
     run.provenance.point = point.name;
     run.provenance.scale = options_.scale;
+    run.provenance.predicted_seconds = point.predicted_seconds;
     for (const std::string& figure : point.figures)
       run.provenance.figure += (run.provenance.figure.empty() ? "" : ", ") + figure;
     try {
@@ -183,6 +185,8 @@ class CaseProgram {
     const std::vector<std::string> present = results_in(output);
     case_.finish(output);
     const auto metrics = case_.metrics(output.path(), present);
+    std::vector<Provenance> origins;
+    for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
     std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     const std::vector<Verdict> verdicts = evaluate(claims, metrics);
@@ -192,7 +196,7 @@ class CaseProgram {
     }
     write_atomically(output.file("claims.md"), markdown_table(verdicts));
     write_atomically(output.file("claims.json"), json(verdicts));
-    std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts));
+    std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts) + cost_text(cost_of(origins)) + "\n");
     return to_int(all_met(verdicts) ? ExitCode::ok : ExitCode::claim_not_met);
   }
 
@@ -235,6 +239,14 @@ class CaseProgram {
 };
 
 }  // namespace
+
+Provenance PointRun::provenance_now() const {
+  Provenance now = provenance;
+  now.processor_seconds = provenance.mpi_ranks * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  // What went before a checkpoint of an older version is not known, and so is the sum.
+  if (const auto& kept = checkpoints.found()) now.processor_seconds += kept->so_far.provenance.processor_seconds;
+  return now;
+}
 
 int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder) {
   return run_main(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the main program of every case is made of.
 #pragma once
+#include <ctime>
 #include <filesystem>
 #include <iosfwd>
 #include <map>
@@ -35,6 +36,11 @@ struct PointRun {
   ProgressStyle progress;
   int threads;                        ///< of the native engines; 0: they decide
   PointCheckpoints& checkpoints;      ///< what it goes on from, and to be asked at each border between exchanges
+  std::clock_t begun = std::clock();
+
+  /// `provenance` with what the point has cost so far: that of its checkpoint, and of this process since it `begun`,
+  /// for each of its ranks, which wait for each other.
+  Provenance provenance_now() const;
 };
 
 /// A case of the paper: what differs between their programs.

@@ -26,6 +26,7 @@ constexpr const char* begin_anew = "begin the point anew with --afresh, or choos
 
 PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, const std::string& configuration)
     : store_(std::move(store)), control_(control) {
+  // cppcheck-suppress useInitializationList
   const auto read = [&](const hdf5::Group& root) { found_ = read_checkpoint(root); };
   const auto complain = [](std::string_view word) {
     say(fmt::format("flowslide: {}; the one before is looked for", word));

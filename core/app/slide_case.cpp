@@ -210,7 +210,7 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
 
 Result SlideCase::result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run,
                             const Records& records) const {
-  Result result{run.provenance, run.configuration, run.configuration_hash, records.series, loaded.metrics};
+  Result result{run.provenance_now(), run.configuration, run.configuration_hash, records.series, loaded.metrics};
   try {
     for (const Metric& metric : slide_metrics({running, records.series, records.profiles, records.stop, loaded.grains}))
       if (std::isfinite(metric.value)) result.metrics.push_back(metric);

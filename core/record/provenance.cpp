@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <ctime>
 
 #include "record/build_information.hpp"
@@ -55,7 +56,8 @@ Provenance start_provenance(std::span<const char* const> arguments) {
   provenance.paper_doi = build_information::paper_doi;
   provenance.host = host_name();
   provenance.command_line = shell_line(arguments);
-  provenance.start_time = universal_time(std::time(nullptr));
+  // std::time() may be some milliseconds behind this clock, and so a second behind what others say.
+  provenance.start_time = universal_time(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()));
   return provenance;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -27,6 +28,10 @@ struct Provenance {
   std::string scale;                   ///< "quick" or "paper"
   std::int64_t seed = 0;
   int replicate = 0;
+  /// Cost, s: as predicted, with samples in the cache, and what all ranks and threads took, with samples that were not
+  /// there, over all starts of the program. Not a number where it was not recorded.
+  double predicted_seconds = std::numeric_limits<double>::quiet_NaN();
+  double processor_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What is known at the start of any run: the build, host, command line and time. `arguments` as main() received them.

@@ -33,6 +33,8 @@ void for_each_member(P& provenance, Visit&& visit) {
   visit("scale", provenance.scale);
   visit("seed", provenance.seed);
   visit("replicate", provenance.replicate);
+  visit("predicted_seconds", provenance.predicted_seconds);
+  visit("processor_seconds", provenance.processor_seconds);
 }
 
 struct ReadMember {
@@ -40,6 +42,10 @@ struct ReadMember {
   void operator()(const char* name, std::string& value) const { value = root.text_attribute(name); }
   void operator()(const char* name, std::int64_t& value) const { value = root.integer_attribute(name); }
   void operator()(const char* name, int& value) const { value = static_cast<int>(root.integer_attribute(name)); }
+  /// Costs: files of version 0.1 and before have none.
+  void operator()(const char* name, double& value) const {
+    if (root.has_attribute(name)) value = root.number_attribute(name);
+  }
 };
 
 hdf5::File open_result(const std::filesystem::path& path) {

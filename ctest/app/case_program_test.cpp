@@ -72,9 +72,9 @@ class Tiny : public Case {
   }
   void run(const Point& point, const PointRun& run) const override {
     ran.push_back(point.name);
-    provenance = run.provenance;
+    provenance = run.provenance_now();
     if (point.name == failing) throw NumericalFailure("grain 7 is lost");
-    Result result{run.provenance, run.configuration, run.configuration_hash, {}, {}};
+    Result result{provenance, run.configuration, run.configuration_hash, {}, {}};
     result.metrics = {{"size", size_, "m", "size"}, {"count", count_, "1", "count"}};
     if (mpi_rank() == 0) write_result(run.output.file(point.name + ".h5"), result);
   }
@@ -156,6 +156,7 @@ TEST_F(CaseProgramTest, RunsEveryPointAndChecksTheClaims) {
   EXPECT_EQ(outcome.code, 0) << outcome.error;
   EXPECT_EQ(outcome.ran, (Names{"a", "b"}));
   EXPECT_CONTAINS(outcome.output, "met  ");
+  EXPECT_CONTAINS(outcome.output, "cost: 0 s of processor time, 1 min 03 s predicted\n");
   EXPECT_CONTAINS(content_of(out() / "claims.md"), "It is small.");
   EXPECT_CONTAINS(content_of(out() / "claims.json"), "\"id\": \"many\"");
   EXPECT_EQ(outcome.provenance.case_name, "tiny");
@@ -163,6 +164,9 @@ TEST_F(CaseProgramTest, RunsEveryPointAndChecksTheClaims) {
   EXPECT_EQ(outcome.provenance.figure, "1, 12");
   EXPECT_EQ(outcome.provenance.scale, "quick");
   EXPECT_EQ(outcome.provenance.mpi_ranks, 1);
+  EXPECT_EQ(outcome.provenance.predicted_seconds, 2.0);
+  EXPECT_GE(outcome.provenance.processor_seconds, 0.0);
+  EXPECT_LT(outcome.provenance.processor_seconds, 10.0);
   EXPECT_CONTAINS(outcome.provenance.command_line, "tiny --seed 4 --output ");
   const Result result = read_result(out() / "a.h5");
   EXPECT_CONTAINS(result.configuration, "seed = 4\nsize = 0.002  # m\n");

@@ -39,6 +39,8 @@ inline Result example_result() {
   result.provenance.seed = -9007199254740993;
   result.provenance.mpi_ranks = 2;
   result.provenance.replicate = 3;
+  result.provenance.predicted_seconds = 60.0;
+  result.provenance.processor_seconds = 75.0;
   result.configuration = "[sample]\nseed = 7\n";
   result.configuration_hash = "abc123";
   result.series = example_series();

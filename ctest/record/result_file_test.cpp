@@ -35,6 +35,15 @@ TEST(ResultFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(from.seed, -9007199254740993);
   EXPECT_EQ(from.mpi_ranks, 2);
   EXPECT_EQ(from.replicate, 3);
+  EXPECT_EQ(from.predicted_seconds, 60.0);
+  EXPECT_EQ(from.processor_seconds, 75.0);
+}
+
+TEST(ResultFile, ReadsFilesThatDoNotSayWhatTheyCost) {
+  auto file = hdf5::File::create("before.h5");
+  write_result(file.root(), example_result());
+  H5Adelete(file.root().id(), "processor_seconds");
+  EXPECT_TRUE(std::isnan(read_result(file.root()).provenance.processor_seconds));
 }
 
 TEST(ResultFile, HasTheRootAttributesThatReadersLookFor) {

@@ -46,6 +46,7 @@ TEST_F(ReportPage, SaysWhereRunsComeFrom) {
   EXPECT_THAT(html, HasSubstr("liggghts 3.8.0"));
   EXPECT_THAT(html, HasSubstr("fig03_undrained --set 'angle=5°'"));
   EXPECT_THAT(html, HasSubstr("torn.h5"));
+  EXPECT_THAT(html, HasSubstr("cost: 1 min 15 s of processor time, 1 min 00 s predicted"));
 }
 
 TEST_F(ReportPage, NamesCommandsAndWhatIsMissing) {

@@ -135,6 +135,9 @@ point.RD.profile_strains = [0.05, 0.2]
       EXPECT_EQ(content_of(file), content_of(other)) << end;
     }
   }
+  Provenance provenance_of(const std::string& folder, const std::string& point) const {
+    return read_result(out(folder) / (point + ".h5")).provenance;
+  }
   /// That nothing is left of checkpoints and half-written files.
   void expect_nothing_left(const std::string& folder) const {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(out(folder))) {

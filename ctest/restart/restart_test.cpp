@@ -97,6 +97,8 @@ TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {
   EXPECT_EQ(code, 0) << said_;
   EXPECT_GT(stops, 1);
   expect_same_files("RD", "limited", "whole");
+  // The last start ran but a part.
+  EXPECT_GT(provenance_of("limited", "RD").processor_seconds, 0.5 * provenance_of("whole", "RD").processor_seconds);
 }
 
 TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
