@@ -13,7 +13,7 @@ struct Scene {
   std::string name;      ///< of its point and claim
   std::string title;     ///< what is done
   std::string right;     ///< what is right, and the origin of the tolerance
-  double seconds = 1.0;  ///< at quick scale, on one core, with samples in the cache
+  double seconds = 1.0;  ///< predicted, on one core, with samples in the cache
   SceneRecord (*run)(const Workshop&);
 };
 
