@@ -2,6 +2,8 @@
 #include "convergence_case.hpp"
 
 #include "convergence.hpp"
+#include "error_table.hpp"
+#include "record/atomic_file.hpp"
 
 namespace flowslide {
 
@@ -16,6 +18,12 @@ std::vector<Metric> ConvergenceCase::slide_metrics(const SlideOutcome& outcome) 
 
 void ConvergenceCase::compare(const Ensembles& slides, std::map<std::string, double>& metrics) const {
   compare_with_grains(slides, metrics);
+}
+
+void ConvergenceCase::finish(const OutputFolder& output) const {
+  SlideCase::finish(output);
+  const std::string table = error_table(metrics(output.path(), points_in(output)));
+  if (!table.empty()) write_atomically(output.file("table.md"), table);
 }
 
 }  // namespace flowslide

@@ -10,6 +10,9 @@ class ConvergenceCase : public SlideCase {
  public:
   ConvergenceCase();
 
+  /// The errors as table.md besides.
+  void finish(const OutputFolder& output) const override;
+
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;
   void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
