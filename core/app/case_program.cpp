@@ -44,6 +44,7 @@ class CaseProgram {
     if (options_.prepare) return prepare();
     if (options_.status) return status();
     if (options_.so_far) return write_so_far();
+    warn_of_idle_ranks();
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
     for (const Point& point : points_)
       if (chosen_.contains(point.name)) run_point(point, control);
@@ -52,6 +53,13 @@ class CaseProgram {
   }
 
  private:
+  void warn_of_idle_ranks() const {
+    const std::string engine = configuration_.text("engine", case_.description().engines);
+    if (mpi_ranks() > 1 && first_rank() && !engine.starts_with("liggghts"))
+      std::cerr << fmt::format("flowslide: each of the {} ranks does the whole work with --engine {}; only liggghts shares "
+                               "it\n", mpi_ranks(), engine);
+  }
+
   static std::vector<std::string> names(const std::vector<Point>& points) {
     std::vector<std::string> all;
     for (const Point& point : points) all.push_back(point.name);

@@ -29,17 +29,21 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
+constexpr std::size_t most_listed = 12;  ///< names in a message
+
 /// A check that refuses any text but one of `names`, and proposes the nearest.
 auto one_of(const std::vector<std::string>& names) {
   return [names](const std::string& text) -> std::string {
     if (std::find(names.begin(), names.end(), text) != names.end()) return "";
-    return fmt::format("\"{}\" is not there; it must be {}; did you mean \"{}\"?", text, list_of(names),
-                       nearest(text, names));
+    if (names.size() > most_listed)
+      return fmt::format("\"{}\" is not there; {}", text, did_you_mean(text, names, "see --list"));
+    return fmt::format("\"{}\" is not there; it must be {}; {}", text, list_of(names),
+                       did_you_mean(text, names, "choose one of these"));
   };
 }
 
 /// A check that refuses any text but an integer from `least` to `most`.
-auto integer_from(std::int64_t least, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+auto integer_from(std::int64_t least, std::int64_t most) {
   return [least, most](const std::string& text) -> std::string {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -51,8 +55,8 @@ auto integer_from(std::int64_t least, std::int64_t most = std::numeric_limits<st
 
 std::string key_and_value(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals != std::string::npos && equals > 0) return "";
-  return fmt::format("\"{}\" is not KEY=VALUE; write, for example, sample.confining_stress=\"3 kPa\"", text);
+  if (equals != std::string::npos && equals > 0 && text[0] != '-') return "";
+  return fmt::format("\"{}\" is not KEY=VALUE; write, for example, slope.angle=\"6 deg\"", text);
 }
 
 /// What the options fill before they are turned into a CommandLine.
@@ -67,7 +71,7 @@ struct Raw {
   std::string checkpoint_interval, max_walltime;
 };
 
-constexpr std::int64_t most_threads = 1024;
+constexpr std::int64_t most_threads = 1024, most_seed = 1000000000, most_replicates = 100;
 
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
   const std::string group = "What to run";
@@ -75,8 +79,8 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->type_name("FILE")
       ->group(group);
   app.add_option("--set", raw.settings,
-                 "One value of the configuration, such as sample.confining_stress=\"3 kPa\"; "
-                 "may be repeated")
+                 "One value of the configuration, such as slope.angle=\"6 deg\"; may be repeated; "
+                 "--dry-run prints all keys")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(key_and_value, ""))
@@ -93,11 +97,11 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->group(group);
   app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
       ->type_name("N")
-      ->check(CLI::Validator(integer_from(0), ""))
+      ->check(CLI::Validator(integer_from(0, most_seed), ""))
       ->group(group);
   app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
       ->type_name("N")
-      ->check(CLI::Validator(integer_from(1), ""))
+      ->check(CLI::Validator(integer_from(1, most_replicates), ""))
       ->group(group);
   app.add_flag("--allow-unstable", raw.allow_unstable,
                "Run slides beyond the limit of stability of dt_G, too: the key `coupling.allow_unstable`")
@@ -166,7 +170,7 @@ std::string footer(const std::string& name) {
       "  {0}                                         the whole case at quick scale\n"
       "  {0} --list                                  its points and their predicted time\n"
       "  {0} --scale paper --dry-run                 what the paper's size would do\n"
-      "  {0} --set sample.confining_stress=\"20 kPa\"  one value changed\n"
+      "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   one value changed\n"
       "\nExit codes:\n"
       "  0 ok, 2 configuration, 3 numerical failure, 4 a claim not met, 75 stopped but resumable, 130 interrupted\n",
       name);
@@ -180,7 +184,7 @@ std::string footer(const std::string& name) {
     const std::vector<std::string> unknown = app.remaining();
     if (!unknown.empty()) {
       const std::string name = unknown.front().substr(0, unknown.front().find('='));
-      hint = fmt::format(" (did you mean \"{}\"?)", nearest(name, names));
+      if (const std::string text = did_you_mean(name, names, ""); !text.empty()) hint = " (" + text + ")";
     }
   }
   throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));

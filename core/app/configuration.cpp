@@ -102,8 +102,8 @@ std::vector<std::string> Configuration::subtables(std::string_view key) const {
     const std::string name = entry.key.substr(key.size() + 1);
     if (name.find('.') != std::string::npos) continue;
     if (entry.kind != Entry::Kind::table) {
-      refuse_value(entry.key, entry.whole, "is a value, but every key here must be a table",
-                   fmt::format("write [{}]", entry.key));
+      refuse_value(entry.key, entry.whole, fmt::format("is a value, but \"{}\" holds one table per name", key),
+                   fmt::format("write {}.NAME.{}", key, name));
     }
     known_.insert(entry.key);
     names.push_back(name);
@@ -159,10 +159,14 @@ std::string Configuration::unknown_message(const Entry& entry) const {
     if (const Entry* found = find(key); found != nullptr && found->kind == Entry::Kind::table) tables.insert(key);
   for (const std::string& table : tables) keys.erase(table);
   const std::set<std::string>& candidates = is_table && !tables.empty() ? tables : keys;
-  const std::string similar = nearest(entry.key, {candidates.begin(), candidates.end()});
-  const std::string_view kind = is_table ? "table" : "key";
-  const std::string hint = similar.empty() ? "no key is known here" : fmt::format("did you mean \"{}\"?", similar);
-  return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), kind, entry.key, hint);
+  return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
+                     did_you_mean(entry.key, {candidates.begin(), candidates.end()},
+                                  "none is like it; --dry-run prints those there are"));
+}
+
+/// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.
+bool Configuration::is_in_vain(const Entry& entry) const {
+  return entry.key_place.origin != origin_ && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
 }
 
 void Configuration::reject_unknown() const {
@@ -176,6 +180,10 @@ void Configuration::reject_unknown() const {
   };
   for (const Entry& entry : entries_)
     if (!is_known(entry.key)) check(entry);
+    else if (is_in_vain(entry))
+      messages.push_back(fmt::format("{}: \"{}\" has no effect, as all that would read it have a nearer key, such as "
+                                     "\"{}\"; give that instead", entry.key_place.text(), entry.key,
+                                     overridden_.at(entry.key)));
   tables.clear();
   for (const Entry& entry : unselected_)
     if (!is_known(entry.key) && !is_known_elsewhere(entry.key)) check(entry);

@@ -76,12 +76,16 @@ class Configuration {
   /// Marks a key, and if it is a table all below it, as known though this scene does not need it.
   void accept(std::string_view key) const;
 
+  /// Says that a reader took the value of `nearer` in place of that of `key`; another may still read `key`.
+  void override_by(const std::string& key, const std::string& nearer) const { overridden_[key] = nearer; }
+
   /// Throws a ConfigurationError about the value of a key that a getter has read, for a rule that spans several keys:
   /// file, line, column, key, the value as written, then `problem` and `mend` (whole clauses without full stop).
   [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
 
   /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has a key that no getter asked for:
-  /// file, line and column of each, with the nearest known key. Call it once all is read.
+  /// file, line and column of each, with the nearest known key; or when --config or --set gives a value that all
+  /// readers took from elsewhere. Call it once all is read.
   void reject_unknown() const;
 
   /// All that was read, as canonical TOML: dotted keys, sorted, values in SI units in the shortest form that gives the
@@ -101,6 +105,7 @@ class Configuration {
   bool is_known_elsewhere(const std::string& key) const;
   std::string with_wildcards(std::string_view key) const;
   std::string unknown_message(const Entry& entry) const;
+  bool is_in_vain(const Entry& entry) const;
 
   std::string origin_;                                   ///< the first file
   std::vector<Entry> entries_;                           ///< in file order, parents before children
@@ -108,6 +113,7 @@ class Configuration {
   mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
   mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them
   mutable std::set<std::string, std::less<>> listed_;    ///< tables asked for by subtables()
+  mutable std::map<std::string, std::string> overridden_;  ///< key -> a nearer one that stood in for it
   mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with its unit
 };
 

@@ -20,11 +20,13 @@ LatticePacking read_packing(const Configuration& configuration, const TableNames
   const Tables table(configuration, tables);
   LatticePacking packing;
   const auto counts = configuration.integers(table.key("lattice"), Range::between(3, most_sites));
-  if (counts.size() != 3) table.refuse("lattice", "a lattice has three counts", "write it as [20, 20, 22]");
+  if (counts.size() != 3) table.refuse("lattice", "does not have the three counts of a lattice", "write it as [20, 20, 22]");
   for (int axis = 0; axis < 3; ++axis) packing.counts[axis] = static_cast<int>(counts[axis]);
   packing.smallest_diameter = table.positive("smallest_diameter", dimension::length);
-  packing.largest_diameter =
-      table.quantity("largest_diameter", dimension::length, Range::at_least(packing.smallest_diameter));
+  packing.largest_diameter = table.positive("largest_diameter", dimension::length);
+  if (packing.largest_diameter < packing.smallest_diameter)
+    table.refuse("largest_diameter", fmt::format("is below packing.smallest_diameter, {} m", packing.smallest_diameter),
+                 "change one of them");
   packing.seed = static_cast<std::uint64_t>(configuration.integer("seed", Range::between(0, 1e9)));
   return packing;
 }

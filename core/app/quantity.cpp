@@ -96,8 +96,8 @@ const Unit& unit_named(std::string_view symbol, std::string_view text) {
     if (unit.symbol == symbol) return unit;
     symbols.emplace_back(unit.symbol);
   }
-  fail(text, fmt::format("has an unknown unit \"{}\"; did you mean \"{}\"? Known units: {}", symbol,
-                         nearest(symbol, symbols), fmt::join(symbols, " ")));
+  fail(text, fmt::format("has an unknown unit \"{}\"; {} Known units: {}", symbol,
+                         did_you_mean(symbol, symbols, "choose another."), fmt::join(symbols, " ")));
 }
 
 /// Reads products of units behind a number.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace flowslide {
 
@@ -16,7 +17,8 @@ bool Range::contains(double value) const {
 
 std::string Range::describe(const Dimension& dimension) const {
   const std::string unit = unit_of(dimension);
-  const auto bound = [&unit](double value) {
+  const auto bound = [&](double value) {
+    if (dimension == dimension::angle) return fmt::format("{:.4g} deg", value * 180.0 / std::numbers::pi);
     return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
   };
   const bool has_lowest = std::isfinite(lowest);

@@ -8,7 +8,9 @@ std::string Tables::key(const char* name) const {
   std::string found;
   for (const std::string& table : tables_.names()) {
     const std::string candidate = table + "." + name;
-    if (configuration_.has(candidate) && found.empty()) found = candidate;
+    if (!configuration_.has(candidate)) continue;
+    if (found.empty()) found = candidate;
+    else configuration_.override_by(candidate, found);
   }
   return found.empty() ? tables_.names().back() + "." + name : found;
 }

@@ -34,7 +34,7 @@ void check_range(std::string_view key, const Scalar& scalar, double value, const
                  const Range& range) {
   if (range.contains(value)) return;
   refuse_value(key, scalar, fmt::format("is not allowed: it must be {}", range.describe(dimension)),
-               "change it there or give another with --set");
+               scalar.place.line == 0 ? "give another" : "change it there or give another with --set");
 }
 
 /// An integer that no double distinguishes from its neighbours is not taken from a double.
@@ -93,7 +93,7 @@ std::string checked_text(std::string_view key, const Scalar& scalar, const std::
   if (text == nullptr) refuse_type(key, scalar, "text", '"' + (allowed.empty() ? "text" : allowed.front()) + '"');
   if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), *text) == allowed.end()) {
     refuse_value(key, scalar, fmt::format("is not allowed: it must be {}", list_of(allowed)),
-                 fmt::format("did you mean \"{}\"?", nearest(*text, allowed)));
+                 did_you_mean(*text, allowed, "choose one of these"));
   }
   return *text;
 }

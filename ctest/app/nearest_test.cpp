@@ -27,6 +27,17 @@ TEST(Nearest, FindsTheMisspelledKey) {
 
 TEST(Nearest, TakesTheFirstOfEquals) { EXPECT_EQ(nearest("ab", {"ax", "ay"}), "ax"); }
 
+TEST(Nearest, DoesNotTakeWhatIsNotAlike) {
+  EXPECT_EQ(nearest("huge", {"quick", "paper"}), "");
+  EXPECT_EQ(nearest("foo", {"rate", "RD"}), "");
+  EXPECT_EQ(nearest("carry", {"whole_increment", "carry_remainder"}), "carry_remainder");
+}
+
+TEST(Nearest, AsksForItOrSaysTheOther) {
+  EXPECT_EQ(did_you_mean("ligghts", {"native", "liggghts"}, "choose one"), "did you mean \"liggghts\"?");
+  EXPECT_EQ(did_you_mean("lammps", {"native", "liggghts"}, "choose one"), "choose one");
+}
+
 TEST(Nearest, IsEmptyWithoutCandidates) { EXPECT_EQ(nearest("density", {}), ""); }
 
 TEST(ListOf, ReadsAsASentence) {

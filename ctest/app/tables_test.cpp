@@ -25,6 +25,21 @@ TEST(Tables, ReadAKeyFromTheFirstTableThatHasIt) {
   EXPECT_NO_THROW(configuration.reject_unknown());  // the key that is overridden is known, too
 }
 
+TEST(Tables, RefuseAValueOfTheUsersThatNobodyReads) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.toml", text);
+  const auto read = [&](const std::string& key) {
+    const Configuration configuration(Layers{file, "", {}, {{key, "2e-4", "--set " + key + "=2e-4"}}});
+    Tables(configuration, {"point.near.coupling", "coupling"}).number("time_step", Range::positive());
+    configuration.number("coupling.n_accum");
+    configuration.reject_unknown();
+  };
+  EXPECT_NO_THROW(read("point.near.coupling.time_step"));
+  EXPECT_EQ(message_of<ConfigurationError>([&] { read("coupling.time_step"); }),
+            "--set coupling.time_step=2e-4: \"coupling.time_step\" has no effect, as all that would read it have a "
+            "nearer key, such as \"point.near.coupling.time_step\"; give that instead");
+}
+
 TEST(Tables, MissAKeyInTheLast) {
   const auto configuration = Configuration::from_text(text);
   const Tables tables(configuration, {"point.near.coupling", "coupling"});
