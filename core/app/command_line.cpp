@@ -29,7 +29,7 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-constexpr std::size_t most_listed = 12;  ///< names in a message
+constexpr std::size_t most_listed = 24;  ///< names in a message
 
 /// A check that refuses any text but one of `names`, and proposes the nearest.
 auto one_of(const std::vector<std::string>& names) {

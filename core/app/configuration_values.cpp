@@ -28,7 +28,7 @@ std::string canonical_list(const std::vector<T>& values, const Dimension& dimens
 }  // namespace
 
 const Entry& Configuration::require_value(std::string_view key, std::string_view wanted) const {
-  const Entry& entry = require(key, fmt::format("a list ({})", wanted));
+  const Entry& entry = require(key, wanted);
   if (entry.kind == Entry::Kind::table) {
     throw ConfigurationError(
         fmt::format("{}: {} is a table, but one value is needed: {}", entry.key_place.text(), key, wanted));
@@ -39,7 +39,7 @@ const Entry& Configuration::require_value(std::string_view key, std::string_view
 }
 
 std::vector<Scalar> Configuration::require_items(std::string_view key, std::string_view wanted) const {
-  const Entry& entry = require(key, wanted);
+  const Entry& entry = require(key, fmt::format("a list ({})", wanted));
   if (entry.kind == Entry::Kind::table) {
     throw ConfigurationError(
         fmt::format("{}: {} is a table, but a list is needed: {}", entry.key_place.text(), key, wanted));

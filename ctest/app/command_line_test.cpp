@@ -86,7 +86,7 @@ TEST(CommandLine, RefusesBadValues) {
   EXPECT_CONTAINS(complaint({"--seed", "-1"}), "--seed");
   EXPECT_CONTAINS(complaint({"--seed", "x"}), "--seed: \"x\" is not allowed; it must be an integer from 0 to ");
   EXPECT_CONTAINS(complaint({"--seed", "99999999999999999999"}), "--seed");
-  EXPECT_EQ(read({"--seed", "9223372036854775807"}).seed, std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(read({"--seed", "1000000000"}).seed, 1000000000);
   EXPECT_CONTAINS(complaint({"--replicates", "0"}), "--replicates");
   EXPECT_CONTAINS(complaint({"--replicates", "1.5"}), "--replicates");
   EXPECT_CONTAINS(complaint({"--output", ""}), "--output");

@@ -201,7 +201,8 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:20:12: ");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
-  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"), "packing.lattice = [4, 5] does not have the three counts of a lattice; write it as");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
+                  "packing.lattice = [4, 5] does not have the three counts of a lattice; write it as");
   // More than an int holds would otherwise come out as some other lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");
@@ -212,7 +213,8 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
                   "case.toml:21:21: packing.smallest_diameter = \"0 mm\" is not allowed: it must be above 0 m");
   EXPECT_CONTAINS(complaint("\"5 mm\"", "\"-5 mm\""), "case.toml:21:21: ");
   EXPECT_CONTAINS(complaint("\"7.5 mm\"", "\"4.9 mm\""),
-                  "packing.largest_diameter = \"4.9 mm\" is below packing.smallest_diameter, 0.005 m; change one of them");
+                  "packing.largest_diameter = \"4.9 mm\" is below packing.smallest_diameter, 0.005 m; change one of "
+                  "them");
 }
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {

@@ -53,8 +53,8 @@ TEST_P(RestartContract, GoesOnFromAStoredState) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names()),
-                         [](const testing::TestParamInfo<std::string>& info) {
-                           std::string name = info.param;
+                         [](const testing::TestParamInfo<std::string>& tested) {
+                           std::string name = tested.param;
                            for (char& c : name)
                              if (c == '-') c = '_';
                            return name;
