@@ -23,7 +23,11 @@ using namespace flowslide;
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-  std::uint8_t byte() { return left_ > 0 ? (--left_, *data_++) : 0; }
+  std::uint8_t byte() {
+    if (left_ == 0) return 0;
+    --left_;
+    return *data_++;
+  }
   template <typename Number>
   Number number() {
     Number value{};
