@@ -19,6 +19,9 @@ struct Case {
   double value;
 };
 
+/// For the names of the tests, which would show addresses otherwise, and change with each run.
+void PrintTo(const Case& tested, std::ostream* out) { *out << tested.text; }
+
 class EachQuantity : public testing::TestWithParam<Case> {};
 
 TEST_P(EachQuantity, IsReadExactly) {
