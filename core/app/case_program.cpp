@@ -62,6 +62,7 @@ class CaseProgram {
 
   static std::vector<std::string> names(const std::vector<Point>& points) {
     std::vector<std::string> all;
+    all.reserve(points.size());
     for (const Point& point : points) all.push_back(point.name);
     return all;
   }
@@ -194,6 +195,7 @@ class CaseProgram {
     case_.finish(output);
     const auto metrics = case_.metrics(output.path(), present);
     std::vector<Provenance> origins;
+    origins.reserve(present.size());
     for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
     std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });

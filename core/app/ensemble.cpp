@@ -145,6 +145,7 @@ Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows
     BandColumns columns(column);
     for (int row = 0; row < rows; ++row) {
       std::vector<double> values;
+      values.reserve(curves.size());
       for (const Curve& curve : curves) values.push_back(curve.mean(from + row * width, from + (row + 1) * width));
       columns.append(values);
     }
@@ -167,6 +168,7 @@ Series band_of_rows(const std::vector<Series>& replicates) {
     BandColumns columns(column);
     for (std::size_t row = 0; row < band.rows(); ++row) {
       std::vector<double> values;
+      values.reserve(all.size());
       for (const std::vector<double>* replicate : all) values.push_back(replicate->at(row));
       columns.append(values);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/runout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -122,7 +124,7 @@ Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::v
   if (series.axis.values.empty()) return series;
   for (const auto& [scheme, sweep] : schemes)
     for (const std::string& metric : metrics) {
-      const std::string name = scheme + "_" + metric;
+      const std::string name = fmt::format("{}_{}", scheme, metric);
       Column median = column_like(*sweep.front().ensemble, metric, name + "_median"),
              lowest = column_like(*sweep.front().ensemble, metric, name + "_lowest"),
              highest = column_like(*sweep.front().ensemble, metric, name + "_highest");

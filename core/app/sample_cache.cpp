@@ -81,7 +81,7 @@ PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe,
     if (border) border([&] { return checkpoints.keep(now.state()); });
   };
   try {
-    const PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+    PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
     progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
     return sample;
   } catch (const NumericalFailure& failure) {
@@ -118,7 +118,7 @@ struct Trials {
       throw NumericalFailure(known->reason);
     PreparationCheckpoints checkpoints(folder, key);
     try {
-      const PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
+      PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
       on_first_rank([&] { store.put(key, stored(made, recipe.text())); });
       checkpoints.remove();
       return made;

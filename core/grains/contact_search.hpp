@@ -11,7 +11,7 @@ namespace flowslide {
 /// Two touching grains, first < second; indices into the assembly.
 struct TouchingPair {
   std::uint32_t first = 0, second = 0;
-  auto operator<=>(const TouchingPair&) const = default;
+  auto operator<=>(const TouchingPair&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm of version 14
 };
 
 /// Which pairs a search leaves out.

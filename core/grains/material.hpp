@@ -15,6 +15,7 @@ struct Material {
   double rolling_stiffness = 2.25;         ///< factor of k_r = factor k_n mu_r^2 R*^2 (EPSD3), >= 1
   double rolling_viscous_damping = 0.13;   ///< eta_r of EPSD3, fraction of critical damping
 
+  bool operator==(const Material&) const = default;
   /// G = E / (2 (1 + nu)), Pa.
   double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poisson_ratio)); }
 };

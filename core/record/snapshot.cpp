@@ -30,6 +30,7 @@ std::string array(const std::string& name, int components, const std::vector<T>&
 
 std::vector<float> scaled(const std::vector<double>& values, double factor) {
   std::vector<float> result;
+  result.reserve(values.size());
   for (const double value : values) result.push_back(static_cast<float>(factor * value));
   return result;
 }

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -156,8 +155,7 @@ void LiggghtsEngine::restore(const Assembly& assembly) {
 }
 
 void LiggghtsEngine::set(const EngineSettings& settings) {
-  const Material &now = settings_.material, &wanted = settings.material;
-  if (std::memcmp(&now, &wanted, sizeof(Material)) != 0) {  // LIGGGHTS has cached the properties of the material
+  if (!(settings_.material == settings.material)) {  // LIGGGHTS has cached the properties of the material
     const BoundaryMotion motion = motion_;
     load(save(), settings);
     move(motion);
