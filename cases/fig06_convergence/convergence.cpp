@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "convergence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,6 +20,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 std::vector<double> means_of(const Series& series, const char* column, const char* abscissa, double end) {
   if (series.column(abscissa).values.back() < end) return {};
   std::vector<double> means;
+  means.reserve(windows);
   for (int window = 0; window < windows; ++window)
     means.push_back(mean_between(series, column, abscissa, end * window / windows, end * (window + 1) / windows));
   return means;
@@ -114,7 +117,7 @@ double n_accum_difference(const Ensembles& slides) {
   double largest = nothing;
   for (const auto& [name, ensemble] : slides) {
     const auto [passing, level, time_step] = parts_of(name);
-    const auto first = slides.find("carry_" + level + "_" + time_step);
+    const auto first = slides.find(fmt::format("carry_{}_{}", level, time_step));
     if (!passing.starts_with("carry") || passing == "carry" || first == slides.end()) continue;
     for (const double difference : errors_of(ensemble, first->second)) largest = std::fmax(largest, difference);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "mobility.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -26,9 +28,9 @@ void add_shares(const Ensembles& slides, const std::string& quantity, const std:
   };
   for (const std::string name : void_ratios) {
     for (const char* scheme : {"RD", "RI"})
-      metrics[std::string(scheme) + "_" + name + "_" + quantity + "_share"] =
+      metrics[fmt::format("{}_{}_{}_share", scheme, name, quantity)] =
           median(scheme, name) / median(scheme, loosest);
-    metrics["RD_" + name + "_" + quantity + "_over_RI"] = median("RD", name) / median("RI", name);
+    metrics[fmt::format("RD_{}_{}_over_RI", name, quantity)] = median("RD", name) / median("RI", name);
   }
 }
 

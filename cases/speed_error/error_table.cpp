@@ -30,7 +30,8 @@ SettingError setting_error(const Axis& axis, const std::string& setting, const E
     row.errors.push_back(error_of(runs, reference, quantity));
     const double ratio = row.errors.back().ratio();
     if (ratio <= row.error_over_spread && !row.worst.empty()) continue;
-    row.error_over_spread = std::isnan(ratio) ? infinite : ratio;
+    row.error_over_spread = ratio;
+    if (std::isnan(ratio)) row.error_over_spread = infinite;
     row.worst = quantity;
   }
   row.grains = mean_of(runs, "grains");

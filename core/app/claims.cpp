@@ -144,6 +144,7 @@ std::vector<Claim> claims_at(const std::vector<Claim>& claims, std::string_view 
 
 std::vector<Verdict> evaluate(const std::vector<Claim>& claims, const std::map<std::string, double>& metrics) {
   std::vector<Verdict> verdicts;
+  verdicts.reserve(claims.size());
   for (const Claim& claim : claims) verdicts.push_back(judge(claim, metrics));
   return verdicts;
 }

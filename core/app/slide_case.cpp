@@ -244,9 +244,10 @@ std::map<std::string, double> SlideCase::metrics(const std::filesystem::path& fo
   const Ensembles slides = results_in(folder, points);
   std::map<std::string, double> all;
   for (const auto& [name, ensemble] : slides) {
-    for (const auto& [metric, value] : summary_of(ensemble)) all[name + "." + metric] = value;
+    for (const auto& [metric, value] : summary_of(ensemble)) all[fmt::format("{}.{}", name, metric)] = value;
     for (const Result& result : ensemble)
-      for (const Metric& metric : result.metrics) all[result.provenance.point + "." + metric.name] = metric.value;
+      for (const Metric& metric : result.metrics)
+        all[fmt::format("{}.{}", result.provenance.point, metric.name)] = metric.value;
   }
   compare(slides, all);
   std::erase_if(all, [](const auto& metric) { return !std::isfinite(metric.second); });
@@ -269,7 +270,7 @@ void SlideCase::finish(const OutputFolder& output) const {
   }
   for (const auto& [name, ensemble] : results_in(output.path(), present))
     for (const std::string& abscissa : abscissas())
-      write_table(output.file(name + "_over_" + abscissa + ".dat"),
+      write_table(output.file(fmt::format("{}_over_{}.dat", name, abscissa)),
                   band_table(description_.name, name, ensemble.size(), band_over(ensemble, abscissa, band_rows)));
   for (const auto& [name, all] : profiles)
     write_table(output.file(name + "_profiles_band.dat"),

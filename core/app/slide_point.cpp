@@ -21,6 +21,7 @@ constexpr double strain_at_peak = 0.01;    ///< about that of loose samples: pas
 const SampleSpecification& sample_named(const Configuration& configuration, const std::string& key,
                                         const std::vector<SampleSpecification>& samples) {
   std::vector<std::string> names;
+  names.reserve(samples.size());
   for (const SampleSpecification& sample : samples) names.push_back(sample.name);
   const std::string name = configuration.text(key, names);
   return samples[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
