@@ -19,6 +19,10 @@ if(FLOWSLIDE_SANITIZE)
   target_link_options(flowslide_options INTERFACE -fsanitize=${FLOWSLIDE_SANITIZE})
 endif()
 
+# Headers that most files include: precompiled.
+set(flowslide_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <string> <vector> <fmt/format.h>
+    <Eigen/Geometry>)
+
 # flowslide_library(<folder of core> [DEPENDS <targets>...]): every .cpp of that folder (not of its sub-folders).
 function(flowslide_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})

@@ -24,7 +24,7 @@ Outcome judged(const Yardstick& yardstick, double measured) {
 /// An error as one cell of a table.
 std::string as_cell(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
   return text;
 }
 

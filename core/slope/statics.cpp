@@ -28,12 +28,12 @@ void validate(const SlopeProperties& slope) {
   require_positive("gravity", slope.gravity, "m/s^2", "Give its magnitude, such as 9.81.");
   require_positive("thickness", slope.thickness, "m", "Give the thickness of the whole sliding mass.");
   require_positive("liquefiable thickness", slope.liquefiable_thickness, "m", "Give the layer at the base.");
-  const std::string up_to_thickness = " " + std::to_string(slope.thickness) + " m (the thickness)";
+  const std::string thickness = std::to_string(slope.thickness) + " m (the thickness)";
   require_of_slope(slope.liquefiable_thickness <= slope.thickness, "liquefiable thickness",
-                   slope.liquefiable_thickness, "at most" + up_to_thickness,
+                   slope.liquefiable_thickness, "at most " + thickness,
                    "Make the layer thinner or the slope thicker.");
   require_of_slope(slope.water_table >= 0.0 && slope.water_table <= slope.thickness, "water table", slope.water_table,
-                   "0 to" + up_to_thickness, "Measure it from the base of the slide.");
+                   "0 to " + thickness, "Measure it from the base of the slide.");
   require_of_slope(slope.angle >= 0.0 && slope.angle < std::numbers::pi / 2.0, "angle", slope.angle,
                    "[0, pi/2) rad", "Give the angle in radians; 5 degrees is 0.0873 rad.");
   require_of_slope(std::isfinite(slope.hydraulic_conductivity) && slope.hydraulic_conductivity >= 0.0,
