@@ -102,6 +102,8 @@ Options read_options(int argc, char** argv) {
   app.allow_extras();
   try {
     app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw FinishedEarly(app.help());
   } catch (const CLI::ParseError& error) {
     throw ConfigurationError(error.what());
   }
@@ -114,7 +116,7 @@ Options read_options(int argc, char** argv) {
   for (std::string& word : rest) words.push_back(word.data());
   int count = static_cast<int>(words.size());
   benchmark::Initialize(&count, words.data());
-  if (count > 1) throw ConfigurationError(fmt::format("unknown option '{}'; see the first lines of the source", words[1]));
+  if (count > 1) throw ConfigurationError(fmt::format("unknown option '{}'; see --help", words[1]));
   return options;
 }
 
