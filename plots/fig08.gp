@@ -45,7 +45,9 @@ do for [format in "png pdf"] {
   set title panel("B", "shear stress")
   set xlabel "time {/:Italic t} (s)"
   set xrange [0:*] noextend
-  plot for [i = 1:2] one(i) using (column(time)):(kilo * column(shear_stress)) \
+  plot for [i = 1:2] band(i) using 1:(kilo * column(over_time(shear_stress) + 1)): \
+         (kilo * column(over_time(shear_stress) + 2)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] one(i) using (column(time)):(kilo * column(shear_stress)) \
          with lines linewidth 1 linecolor rgb colour[i] notitle, \
        one(1) using (column(time)):(kilo * column(driving_stress)) \
          with lines linewidth 1 dashtype 2 linecolor rgb grey notitle, \
@@ -63,7 +65,9 @@ do for [format in "png pdf"] {
   set title panel("D", "inertial number")
   set ylabel "inertial number {/:Italic I}" offset 0.5
   set logscale y; set format y "10^{%T}"; set yrange [1e-6:10]
-  plot for [i = 1:2] one(i) using (column(time)):(column(inertial_number)) \
+  plot for [i = 1:2] band(i) using 1:(column(over_time(inertial_number) + 1)): \
+         (column(over_time(inertial_number) + 2)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] one(i) using (column(time)):(column(inertial_number)) \
          with lines linewidth 1 linecolor rgb colour[i] notitle, \
        one(2) using (column(time)):(column(global_inertial_number)) \
          with lines linewidth 1 dashtype 2 linecolor rgb colour[2] notitle

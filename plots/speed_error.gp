@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Speed against error: for (A) the element test, (B) the trigger and (C) the pulse, the time that a setting takes on one
 # core against the largest of its errors over the spread over seeds. Grey: below that spread. Line: the settings that no
-# other beats in both. Arrow: what LIGGGHTS takes at the paper's settings.
+# other beats in both. Open: other samples and RI, which do not compete. Dashed: LIGGGHTS at the paper's settings.
 tables = "element.dat element_front.dat trigger.dat trigger_front.dat pulse.dat pulse_front.dat paper.dat"
 command = "./reproduce speed_error"
 script = ARG0; folder = ARG1; picture = ARG2
@@ -10,12 +10,13 @@ load here."style.gp"
 
 array scene[3] = ["element", "trigger", "pulse"]
 array title[3] = ["element test", "trigger", "pulse"]
-array axis[11] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", "eq. 18, 17", \
-                  "stress every n-th", "hybrid"]
-array shown[11] = ["dt_L", "strain rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", \
-                   "stress", "hybrid"]
-array colour[11] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion]
-array symbol[11] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13]
+array axis[15] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", "eq. 18, 17", \
+                  "stress every n-th", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
+array shown[15] = ["dt_L", "strain rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", \
+                   "stress", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
+array colour[15] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion, \
+                    black, blue, green, vermillion]
+array symbol[15] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
 of_axis(s, i, action) = sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis %s' %s", axis[i], action, \
                                 shell_quoted(data(scene[s].".dat")))
 rows(s, i) = "< ".of_axis(s, i, "")
@@ -29,10 +30,10 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 do for [format in "png pdf"] {
-  eval terminal(format, 18, 10)
+  eval terminal(format, 18, 10.5)
   set output picture.".".format
   set multiplot layout 1, 3
-  set bmargin 9   # the same for all, whatever their keys hold
+  set bmargin 11.5   # the same for all, whatever their keys hold
   set xlabel "time on one core (s)"
   do for [s = 1:3] {
     set title panel(word("A B C", s), title[s])
@@ -48,7 +49,7 @@ do for [format in "png pdf"] {
         font ",7"
     }
     present = ""
-    do for [i = 1:11] { if (has(s, i)) { present = present." ".i } }
+    do for [i = 1:15] { if (has(s, i)) { present = present." ".i } }
     if (present eq "") { continue }   # nothing of that scene has been run
     plot for [k in present] rows(s, k + 0) using 3:5 with points pointtype symbol[k + 0] pointsize 0.9 \
            linecolor rgb colour[k + 0] title shown[k + 0], \

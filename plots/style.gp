@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # What every figure shares. A script sets `tables` (the files it reads, separated by spaces) and `command` (what makes
-# them) and its arguments (`script`, `folder`, `picture`: loading a file forgets ARG0 and on), then loads this file. It is called as `gnuplot -c plots/figNN.gp DATADIR OUTPUT` and writes OUTPUT.png and
-# OUTPUT.pdf; it draws what the tables hold and computes nothing but units.
+# them) and its arguments (`script`, `folder`, `picture`: loading a file forgets ARG0 and on), then loads this file. It
+# is called as `gnuplot -c plots/figNN.gp DATADIR OUTPUT` and writes OUTPUT.png and OUTPUT.pdf; it draws what the tables
+# hold and computes nothing but units.
 
 if (picture eq "") {
   print sprintf("usage: gnuplot -c %s DATADIR OUTPUT   (writes OUTPUT.png and OUTPUT.pdf)", script)
   exit status 2
 }
-data(name) = folder."/".name
+# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out.
+so_far = folder eq "so_far" || strlen(folder) > 6 && folder[strlen(folder) - 6:*] eq "/so_far"
+data(name) = so_far && !readable(folder."/".name) ? "/dev/null" : folder."/".name
 # A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
 if (!exists("beside")) beside = ""
 others = beside eq "" ? 0 : 1
@@ -17,7 +20,7 @@ shell_quoted(s) = "'".escaped(s)."'"
 escaped(s) = strstrt(s, "'") == 0 ? s : s[1:strstrt(s, "'") - 1]."'\\''".escaped(s[strstrt(s, "'") + 1:*])
 readable(file) = int(system("test -s ".shell_quoted(file)." && echo 1 || echo 0"))
 do for [table in tables] {
-  if (!readable(data(table)) || (others && !readable(other(table)))) {
+  if (!so_far && !readable(data(table)) || (others && !readable(other(table)))) {
     print sprintf("%s: no table %s. Make it with: %s", script, readable(data(table)) ? other(table) : data(table), command)
     exit status 2
   }

@@ -71,7 +71,7 @@ QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const
   if (!complete || differences.empty()) return result;
   const Statistics all = statistics_of(differences);
   result.error = std::abs(all.mean) / scale;
-  result.standard_error = all.standard_error / scale;
+  if (differences.size() > 1) result.standard_error = all.standard_error / scale;
   return result;
 }
 

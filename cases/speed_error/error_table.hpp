@@ -25,7 +25,7 @@ struct Axis {
 struct QuantityError {
   std::string quantity;
   double error = 0.0;           ///< |mean of the differences|; NaN if a replicate lacks the quantity
-  double standard_error = 0.0;  ///< of that mean; 0 for one replicate
+  double standard_error = 0.0;  ///< of that mean; NaN for one replicate
   double spread = 0.0;          ///< highest less lowest value of the reference's seeds
   double ratio() const { return error / spread; }
 };

@@ -104,7 +104,7 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
   for (const Scene scene : all_scenes) {
     std::string all = "# label\taxis\tseconds\tgrain steps\terror over spread\tbelow noise\n";
     for (const SettingError& row : report.errors)
-      if (row.axis->scene == scene && row.axis->competes && std::isfinite(row.error_over_spread))
+      if (row.axis->scene == scene && std::isfinite(row.error_over_spread))
         all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title,
                            row.seconds, row.grain_steps, std::max(row.error_over_spread, least_shown),
                            row.below_noise() ? 1 : 0);

@@ -88,7 +88,7 @@ void RunControl::border_of_preparation(const std::function<bool()>& keep) {
   kept();
   if (due == Due::stop)
     stop(kept_it ? "its sample is being prepared, and the same command goes on with that"
-                 : "its sample is being prepared, and that begins anew; complete trials are kept in the cache");
+                 : "what it was at has no checkpoint and begins anew; complete samples are kept in the cache");
 }
 
 void RunControl::stop(const std::string& what) const {

@@ -94,5 +94,22 @@ TEST_F(CorruptionProgram, RefusesWhatIsDamaged) {
   }
 }
 
+TEST_F(CorruptionProgram, ShearsNoDamagedSample) {
+  const Words options{"--engine", "native", "--point", "alone"};
+  ::setenv("FLOWSLIDE_CACHE", out("cache").c_str(), 1);
+  ASSERT_EQ(run("out", options), 0) << said_;
+  std::filesystem::path sample;
+  for (const auto& entry : std::filesystem::directory_iterator(out("cache")))
+    if (entry.path().extension() == ".h5") sample = entry.path();
+  const std::string whole = read_file(sample);
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 5; ++i) {
+    overwrite(sample, corrupted(whole, random));
+    EXPECT_EQ(run("other", options), 2) << said_;
+    EXPECT_CONTAINS(said_, "delete it, and the sample will be prepared again");
+    EXPECT_FALSE(std::filesystem::exists(out("other") / "alone.h5"));
+  }
+}
+
 }  // namespace
 }  // namespace flowslide

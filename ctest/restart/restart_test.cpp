@@ -36,6 +36,52 @@ TEST_F(Restart, ASlideOnGrainsGoesOnWithTheSameBits) { expect_same_after_stops("
 
 TEST_F(Restart, AnElementTestGoesOnWithTheSameBits) { expect_same_after_stops("alone", {"--engine", "native"}); }
 
+TEST_F(Restart, GoesOnWithTheSameBitsOnMoreThreads) {
+  const Words options{"--engine", "native", "--point", "RD"};
+  ASSERT_EQ(run("whole", options), 0) << said_;
+  const auto process = start("stopped", "RD", options);
+  process->signal(SIGTERM);
+  ASSERT_EQ(process->wait(), 75) << process->said();
+  Words on_two = options;
+  on_two.insert(on_two.end(), {"--threads", "2"});
+  ASSERT_EQ(run("stopped", on_two), 0) << said_;
+  EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+  expect_same_files("RD", "stopped", "whole");
+}
+
+TEST_F(Restart, GoesOnWithTheSameStressOnLiggghts) {
+  // To its peak and a little further: later, what rounding differs by grows by chance.
+  const Words options{"--engine", "liggghts", "--point", "alone", "--set", "point.alone.final_strain=0.01"};
+  ASSERT_EQ(run("whole", options), 0) << said_;
+  const auto process = start("stopped", "alone", options);
+  process->signal(SIGTERM);
+  ASSERT_EQ(process->wait(), 75) << process->said();
+  ASSERT_EQ(run("stopped", options), 0) << said_;
+  EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+  const Series stopped = read_result(out("stopped") / "alone.h5").series;
+  const Series whole = read_result(out("whole") / "alone.h5").series;
+  ASSERT_EQ(stopped.rows(), whole.rows());
+  const double scale = whole.column("normal_stress").values.front();
+  for (const char* name : {"shear_stress", "normal_stress"})
+    for (std::size_t row = 0; row < whole.rows(); ++row)
+      EXPECT_NEAR(stopped.column(name).values[row], whole.column(name).values[row], 1e-12 * scale) << name << " " << row;
+}
+
+TEST_F(Restart, ASecondInterruptEndsAtOnce) {
+  ASSERT_EQ(run("whole", {"--engine", "native", "--point", "alone"}), 0) << said_;  // its sample is there from now on
+  // A test whose rows, at which it may end, are far apart: many seconds.
+  const Words long_test{"--engine", "native", "--point", "alone", "--set", "element_test.rows=10", "--set",
+                        "point.alone.final_strain=100", "--set", "coupling.local_time_step=1e-7"};
+  Process process(command("out", long_test), scratch_.path() / "out.said");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  process.signal(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_TRUE(process.runs()) << process.said();
+  process.signal(SIGINT);
+  EXPECT_EQ(process.wait(), 128 + SIGINT);
+  EXPECT_EQ(process.said().find("interrupted;"), std::string::npos) << process.said();
+}
+
 TEST_F(Restart, ASlideOnAClosedFormSampleGoesOnWithTheSameBits) {
   expect_same_after_stops("RI", {"--set", "stop.end_time=8", "--set", "coupling.time_step=1e-5"});
 }
