@@ -142,6 +142,29 @@ TEST_F(SlideProgram, StartsGrainsLinear) {
   EXPECT_NE(first_stress("true"), first_stress("false"));
 }
 
+TEST_F(SlideProgram, RefusesWhatNoSlideHas) {
+  const auto table = [this](const std::string& name, const std::string& rows) {
+    return "loading = {history = 'table', file = '" + scratch_.write(name, rows).string() + "'}";
+  };
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"coupling.time_step = 0", "must be above 0 s"},
+      {"coupling.time_step = nan", "must be above 0 s"},
+      {"coupling.n_accum = 0", "must be between 1 and"},
+      {"slope.hydraulic_conductivity = -1e-9", "must be at least 0 m/s"},
+      {"loading.duration = 0", "must be above 0 s"},
+      {"slope.angle = '30 deg'", "a sample of friction 0.5 bears less than 0.5"},
+      {table("empty.txt", ""), "the loading table is empty"},
+      {table("unsorted.txt", "0 1\n2 1\n1 1\n"), "unsorted.txt:3"},
+      {table("nan.txt", "0 1\n1 nan\n"), "nan.txt:2"},
+  };
+  for (const auto& [setting, said] : all) {
+    const auto file = scratch_.write("user.toml", setting + "\n");
+    EXPECT_EQ(run({"--dry-run", "--engine", "native", "--config", file.string()}), 2) << setting;
+    EXPECT_CONTAINS(error_, said);
+    EXPECT_FALSE(fs::exists(output()));
+  }
+}
+
 TEST_F(SlideProgram, RefusesUnstableStepsUnlessToldOtherwise) {
   // omega = sqrt(G/(h_s m)) with G = 40 MPa: 2/omega = 7.87e-3 s.
   EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3"}), 2);
