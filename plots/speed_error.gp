@@ -2,7 +2,8 @@
 # Speed against error: for (A) the element test, (B) the trigger and (C) the pulse, the time that a setting takes on one
 # core against the largest of its errors over the spread over seeds. Grey: below that spread. Line: the settings that no
 # other beats in both. Open: other samples and RI, which do not compete. Dashed: LIGGGHTS at the paper's settings.
-tables = "element.dat element_front.dat trigger.dat trigger_front.dat pulse.dat pulse_front.dat paper.dat"
+tables = "paper.dat"
+do for [s in "element trigger pulse"] { tables = tables." errors_".s.".dat ".s."_front.dat" }
 command = "./reproduce speed_error"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("speed_error.gp")]
@@ -18,7 +19,7 @@ array colour[15] = [blue, vermillion, green, purple, orange, black, sky, purple,
                     black, blue, green, vermillion]
 array symbol[15] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
 of_axis(s, i, action) = sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis %s' %s", axis[i], action, \
-                                shell_quoted(data(scene[s].".dat")))
+                                shell_quoted(data("errors_".scene[s].".dat")))
 rows(s, i) = "< ".of_axis(s, i, "")
 has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
 paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], \

@@ -108,7 +108,7 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
         all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title,
                            row.seconds, row.grain_steps, std::max(row.error_over_spread, least_shown),
                            row.below_noise() ? 1 : 0);
-    write_atomically(folder / (name_of(scene) + ".dat"), all);
+    write_atomically(folder / ("errors_" + name_of(scene) + ".dat"), all);
     std::string front = "# label\tseconds\terror over spread\n";
     for (const Candidate& candidate : report.candidates.at(scene))
       if (candidate.on_front)

@@ -51,7 +51,7 @@ TEST_F(ReportTest, GivesGnuplotAndHdf5WhatTheTableHas) {
     content << file.rdbuf();
     return content.str();
   };
-  EXPECT_CONTAINS(text("pulse.dat"), "\"base\"\t\"dt_L\"\t10\t100000000\t0.05");
+  EXPECT_CONTAINS(text("errors_pulse.dat"), "\"base\"\t\"dt_L\"\t10\t100000000\t0.05");
   EXPECT_CONTAINS(text("pulse_front.dat"), "\"coarse\"\t5\t1.5\n\"base\"\t10\t0.05");
   EXPECT_CONTAINS(text("paper.dat"), "pulse\t2000\n");
   EXPECT_EQ(text("table.md"), markdown(report()));
