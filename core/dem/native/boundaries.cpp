@@ -72,12 +72,12 @@ void Boundaries::carry(std::vector<Body<double>>& bodies) const {
 
 void Boundaries::find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin) {
   near_.clear();
-  for (std::uint8_t axis = 0; axis < 3; ++axis) {
-    if (cell_.periodic[axis]) continue;
-    for (std::size_t i = share_.begin; i < share_.end; ++i) {
-      if (role[i] != Role::mobile) continue;
-      const Body<double>& body = bodies[i];
-      const double reach = body.radius + skin;
+  for (std::size_t i = share_.begin; i < share_.end; ++i) {
+    if (role[i] != Role::mobile) continue;
+    const Body<double>& body = bodies[i];
+    const double reach = body.radius + skin;
+    for (std::uint8_t axis = 0; axis < 3; ++axis) {
+      if (cell_.periodic[axis]) continue;
       for (const bool upper : {false, true}) {
         const double away = upper ? cell_.upper[axis] - body.position[axis] : body.position[axis] - cell_.lower[axis];
         if (!(away > reach)) near_.push_back({static_cast<std::uint32_t>(i), axis, upper});
@@ -100,21 +100,22 @@ double Boundaries::push_of(const Near& near, const Body<double>& body) const {
 }
 
 template <typename Real>
-void Boundaries::push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+void Boundaries::push(const Share& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
                       std::vector<Load<Real>>& loads) const {
-  for (const Near& near : near_) {
-    Real& force = loads[near.grain].force[near.axis];
-    force = static_cast<Real>(force + push_of(near, bodies[near.grain]));
+  auto near = std::partition_point(near_.begin(), near_.end(), [&](const Near& n) { return n.grain < part.begin; });
+  for (; near != near_.end() && near->grain < part.end; ++near) {
+    Real& force = loads[near->grain].force[near->axis];
+    force = static_cast<Real>(force + push_of(*near, bodies[near->grain]));
   }
   if (settings_.drag == 0.0) return;
-  for (std::size_t i = share_.begin; i < share_.end; ++i)
+  for (std::size_t i = part.begin; i < part.end; ++i)
     for (int axis = 0; axis < 3 && role[i] == Role::mobile; ++axis)
       loads[i].force[axis] = static_cast<Real>(loads[i].force[axis] - settings_.drag * bodies[i].velocity[axis]);
 }
 
-template void Boundaries::push(const std::vector<Body<double>>&, const std::vector<Role>&,
+template void Boundaries::push(const Share&, const std::vector<Body<double>>&, const std::vector<Role>&,
                                std::vector<Load<double>>&) const;
-template void Boundaries::push(const std::vector<Body<double>>&, const std::vector<Role>&,
+template void Boundaries::push(const Share&, const std::vector<Body<double>>&, const std::vector<Role>&,
                                std::vector<Load<float>>&) const;
 
 void Boundaries::add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const {

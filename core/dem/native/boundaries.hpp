@@ -30,9 +30,9 @@ class Boundaries {
   void carry(std::vector<Body<double>>& bodies) const;
   /// Notes the mobile grains that are nearer to a plane than `skin` (m): only they can meet one before the next call.
   void find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin);
-  /// Adds the forces of planes and drag to the loads of the mobile grains.
+  /// Adds the forces of planes and drag to the loads of the mobile grains of a part of the share.
   template <typename Real>
-  void push(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+  void push(const Share& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
             std::vector<Load<Real>>& loads) const;
   /// Adds the forces of the upper planes on the grains, each along its axis, N.
   void add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const;
@@ -68,7 +68,7 @@ class Boundaries {
   BoundaryMotion motion_;
   double lower_before_ = 0.0, height_before_ = 0.0;  ///< of the cell before the last step, m
   bool renumbers_ = false;
-  std::vector<Near> near_;  ///< by axis, grain and side
+  std::vector<Near> near_;  ///< by grain, axis and side
 };
 
 }  // namespace flowslide::native

@@ -36,7 +36,7 @@ struct LawConstants {
 /// The pairs of the neighbour list, sorted by (first, second), padded to whole tiles with pairs that never touch.
 template <typename Real>
 struct PairView {
-  std::size_t count;  ///< a multiple of the tile size
+  std::size_t begin, end;  ///< those to work on; multiples of the tile size
   const std::uint32_t *first, *second;
   const std::uint8_t* image;                   ///< which of `image_shift` brings the second next to the first
   const double (*image_shift)[4];              ///< m; shape (27, 4), the last is 0; aligned to 32 bytes
@@ -57,7 +57,7 @@ inline constexpr std::size_t block_size = 64;
 /// f the force on the first. It is what the sum over grains of x f lacks to the sum over pairs of l f.
 using AcrossFaces = std::array<double, 5>;
 
-/// Adds the contact forces of all pairs to `loads` and advances the histories. If `across` is not null, adds to its row
+/// Adds the contact forces of the pairs to `loads` and advances the histories. If `across` is not null, adds to its row
 /// of the block of each pair's first grain.
 template <typename Real>
 using ContactPass = void (*)(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,

@@ -37,6 +37,11 @@ enum class MotionPart { end, begin, end_and_begin };
 struct MotionExtremes {
   double fluctuation_squared = 0.0;  ///< m^2/s^2: no |v - u|^2 is larger; the sum of the largest of each component
   bool outside = false;              ///< whether a centre lies below `lower` or not below `upper` of the box
+
+  void widen(const MotionExtremes& other) {
+    fluctuation_squared = std::fmax(fluctuation_squared, other.fluctuation_squared);
+    outside |= other.outside;
+  }
 };
 
 /// Velocity Verlet: v <- v + dt/2 f/m, x <- x + dt v, spins likewise. A part with a beginning publishes the grains and

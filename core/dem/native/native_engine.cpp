@@ -177,7 +177,7 @@ void NativeEngine<Real>::take_loads(const Assembly& assembly) {
         worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
         worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
       }
-    worker.measure(turn_);
+    worker.measure(worker.share(), turn_);
   }
 }
 
@@ -273,12 +273,15 @@ void NativeEngine<Real>::run(std::int64_t steps) {
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
     if (law_is_new_) worker.list().forget(grains_.variant);
     int turn = turn_;
-    for (std::int64_t step = 0; step < steps; ++step) {
-      turn = 1 - turn;
-      worker.begin(step == 0 && !half_step_, turn);
+    worker.begin(!half_step_, turn = 1 - turn);
+    for (std::int64_t left = steps; left > 0; --left) {
       team_->barrier();
       worker.meet(workers_, turn);
-      worker.evaluate(turn, step + 1 == steps);
+      if (left > 1)
+        worker.evaluate_and_begin(turn, 1 - turn);
+      else
+        worker.evaluate(turn);
+      turn = 1 - turn;
     }
   });
   turn_ = static_cast<int>((turn_ + steps) % 2);

@@ -149,7 +149,8 @@ void PairList<Real>::set_shifts(const Cell& cell) {
 template <typename Real>
 PairView<Real> PairList<Real>::view(const Cell& cell) {
   set_shifts(cell);
-  PairView<Real> view{columns_.first.size(),
+  PairView<Real> view{0,
+                      columns_.first.size(),
                 columns_.first.data(),
                 columns_.second.data(),
                 columns_.image.data(),

@@ -18,6 +18,8 @@ constexpr double wider = 12.0;
 constexpr std::int64_t shortest_age = 8, longest_age = 32;
 /// A fast grain is allowed what it goes in that many steps, so that some rattlers do not burden the lists of all.
 constexpr double steps_of_fast_grains = 16.0;
+/// Pairs after which grains whose loads are complete go on while they are in the cache. No result depends on it.
+constexpr std::size_t pairs_at_once = 4 * tile_size;
 
 }  // namespace
 
@@ -82,12 +84,16 @@ void Worker<Real>::cross_the_shear(std::size_t grain, int layers) {
 
 template <typename Real>
 void Worker<Real>::begin(bool first, int turn) {
-  const bool carried = boundaries_.carries();
-  boundaries_.advance();
   const MeanFlow flow = boundaries_.mean_flow();
+  const MotionPart part = first ? MotionPart::begin : MotionPart::end_and_begin;
+  arrive(passes_.motion(part, grains_.time_step, flow, boundaries_.periods(), moving(share_, turn)), flow, turn);
+}
+
+template <typename Real>
+void Worker<Real>::arrive(const MotionExtremes& extremes, const MeanFlow& flow, int turn) {
   for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->follow(flow, grains_.time_step);
-  const MotionExtremes extremes = passes_.motion(first ? MotionPart::begin : MotionPart::end_and_begin,
-                                                 grains_.time_step, flow, boundaries_.periods(), moving(share_, turn));
+  boundaries_.advance();
+  const bool carried = boundaries_.carries();
   if (carried) boundaries_.carry(grains_.bodies);
   News& news = news_[static_cast<std::size_t>(turn)];
   news.fluctuation_squared = extremes.fluctuation_squared;
@@ -158,27 +164,55 @@ void Worker<Real>::build(int turn) {
 }
 
 template <typename Real>
-void Worker<Real>::evaluate(int turn, bool last) {
-  if (last) std::fill(across_.begin(), across_.end(), AcrossFaces{});
-  passes_.contacts(grains_.variant, grains_.law, list_.view(boundaries_.cell()), seen(turn).data(), loads_.data(),
-                   last ? across_.data() : nullptr);
-  boundaries_.push(grains_.bodies, grains_.role, loads_);
-  if (!last) return;
-  measure(turn);
+template <typename Then>
+void Worker<Real>::sum_loads(int turn, AcrossFaces* across, Then then) {
+  PairView<Real> pairs = list_.view(boundaries_.cell());
+  const std::size_t all = pairs.end;
+  Share part{share_.begin, share_.begin};
+  for (pairs.end = 0; part.end < share_.end;) {
+    pairs.begin = pairs.end;
+    pairs.end = std::min(all, pairs.begin + pairs_at_once);
+    passes_.contacts(grains_.variant, grains_.law, pairs, seen(turn).data(), loads_.data(), across);
+    // Pairs are sorted by their first grain, the smaller: what comes has no grain before it.
+    part.end = share_.end;
+    if (pairs.end < all)
+      part.end = std::clamp<std::size_t>(pairs.first[pairs.end] / block_size * block_size, part.begin, share_.end);
+    boundaries_.push(part, grains_.bodies, grains_.role, loads_);
+    then(part);
+    part.begin = part.end;
+  }
+}
+
+template <typename Real>
+void Worker<Real>::evaluate(int turn) {
+  std::fill(across_.begin(), across_.end(), AcrossFaces{});
+  sum_loads(turn, across_.data(), [&](const Share& part) { measure(part, turn); });
   for (std::size_t block = share_.begin / block_size; block * block_size < share_.end; ++block)
     grains_.across[block] = across_[block];
 }
 
 template <typename Real>
-void Worker<Real>::measure(int turn) {
+void Worker<Real>::evaluate_and_begin(int turn, int next_turn) {
+  const MeanFlow flow = boundaries_.mean_flow();
+  const Box periods = boundaries_.periods();
+  MotionExtremes extremes;
+  sum_loads(turn, nullptr, [&](const Share& part) {
+    extremes.widen(passes_.motion(MotionPart::end_and_begin, grains_.time_step, flow, periods,
+                                  moving(part, next_turn)));
+  });
+  arrive(extremes, flow, next_turn);
+}
+
+template <typename Real>
+void Worker<Real>::measure(const Share& part, int turn) {
   const Cell& cell = boundaries_.cell();
   alignas(32) double origin[4] = {}, weight_of_glued[4] = {};
   Vector3::Map(origin) = cell.lower;
   for (int axis = 0; axis < 3; ++axis) weight_of_glued[axis] = cell.periodic[axis] ? 1.0 : 0.0;
   const Box confines = boundaries_.confines();
-  for (std::size_t begin = share_.begin; begin < share_.end; begin += block_size)
-    grains_.moments[begin / block_size] = passes_.moments(
-        origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, share_.end)}, turn));
+  for (std::size_t begin = part.begin; begin < part.end; begin += block_size)
+    grains_.moments[begin / block_size] =
+        passes_.moments(origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, part.end)}, turn));
 }
 
 template <typename Real>

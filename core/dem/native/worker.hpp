@@ -44,12 +44,14 @@ class Worker {
   void begin(bool first, int turn);
   /// Takes note of what all workers have done; after a barrier.
   void meet(const std::vector<Worker>& all, int turn);
-  /// Second half: sums the loads of the own grains. The last step of a run is measured: see Grains.
-  void evaluate(int turn, bool last);
+  /// Second half: sums the loads of the own grains and measures them, see Grains: for the last step of a run.
+  void evaluate(int turn);
+  /// Second half of a step and first half of the next in one go through pairs and grains.
+  void evaluate_and_begin(int turn, int next_turn);
   /// The half kick that is left after the last step of a run, of the own grains in `bodies`.
   void end(std::vector<Body<double>>& bodies) const;
-  /// Sums the moments of the own grains, block by block.
-  void measure(int turn);
+  /// Sums the moments of a part of the own grains, block by block.
+  void measure(const Share& part, int turn);
   /// Adds to `sums` what the top layer and planes do to the share's grains, and takes the moments of drag out of them.
   /// Velocities are those of the half step.
   void add_boundary_forces(StressSums& sums) const;
@@ -83,6 +85,11 @@ class Worker {
   std::vector<Body<Real>>& seen(int turn);
   const std::vector<Body<Real>>& seen(int turn) const { return const_cast<Worker*>(this)->seen(turn); }
   MovingGrains<Real> moving(const Share& part, int turn);
+  /// Sums the loads of the own grains and calls then(part) for blocks of them that no further pair has, in their order.
+  template <typename Then>
+  void sum_loads(int turn, AcrossFaces* across, Then then);
+  /// After the first half of a step: moves the boundaries and puts grains back into the cell.
+  void arrive(const MotionExtremes& extremes, const MeanFlow& flow, int turn);
   void fold(std::vector<Fold>& folds);
   /// A grain was folded by so many heights of the cell, 1 or -1.
   void cross_the_shear(std::size_t grain, int layers);

@@ -75,7 +75,7 @@ void expect_law_of_planes(double tolerance) {
     Boundaries boundaries(cloud.cell, settings(), share);
     boundaries.move({{0.3, 0.2, 0.1}, {0.3, 0.2, -0.2}, 2.0, -3.0});
     boundaries.find_near(bodies, cloud.role, reach_of_lists);
-    boundaries.push(bodies, cloud.role, loads);
+    boundaries.push(share, bodies, cloud.role, loads);
     boundaries.add_upper_plane(bodies, upper);
   }
   PlaneVelocities planes;
@@ -111,7 +111,7 @@ TEST(Boundaries, OnlyGrainsNearAPlaneAreLookedAt) {
     boundaries.find_near(bodies, cloud.role, skin);
     bodies[0].position[0] = 0.015 - 0.99 * bodies[0].radius;
     std::vector<Load<double>> loads(bodies.size());
-    boundaries.push(bodies, cloud.role, loads);
+    boundaries.push({0, 1}, bodies, cloud.role, loads);
     return loads[0].force[0];
   };
   EXPECT_LT(pushed(0.99 * reach_of_lists, reach_of_lists), 0.0);
@@ -125,13 +125,13 @@ TEST(Boundaries, DragActsOnMobileGrainsOfTheShare) {
   std::vector<Load<double>> loads(bodies.size());
   Boundaries boundaries(cloud.cell, settings(0.5), {0, 10});
   boundaries.find_near(bodies, cloud.role, reach_of_lists);
-  boundaries.push(bodies, cloud.role, loads);
+  boundaries.push({0, 10}, bodies, cloud.role, loads);
   EXPECT_EQ(Vector3::Map(loads[0].force), Vector3(0, 0, 0));
   for (std::size_t i = 1; i < 10; ++i) EXPECT_EQ(Vector3::Map(loads[i].force), -0.5 * cloud.velocity[i]);
   for (std::size_t i = 10; i < 20; ++i) EXPECT_EQ(Vector3::Map(loads[i].force), Vector3(0, 0, 0));
   boundaries.set(settings());
   loads.assign(bodies.size(), {});
-  boundaries.push(bodies, cloud.role, loads);
+  boundaries.push({0, 10}, bodies, cloud.role, loads);
   for (const Load<double>& load : loads) EXPECT_EQ(Vector3::Map(load.force), Vector3(0, 0, 0));
 }
 

@@ -27,9 +27,9 @@ void expect_all_pairs(const Assembly& cloud, PairList<Real>& list, const std::ve
   }
   EXPECT_EQ(p, list.pairs());
   // Whole tiles, filled with a pair of nobody.
-  EXPECT_EQ(view.count % tile_size, 0u);
-  EXPECT_LT(view.count - p, static_cast<std::size_t>(tile_size));
-  for (; p < view.count; ++p) {
+  EXPECT_EQ(view.end % tile_size, 0u);
+  EXPECT_LT(view.end - p, static_cast<std::size_t>(tile_size));
+  for (; p < view.end; ++p) {
     EXPECT_EQ(view.first[p], cloud.size());
     EXPECT_EQ(view.second[p], cloud.size() + 1);
   }

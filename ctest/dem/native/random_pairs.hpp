@@ -103,7 +103,8 @@ struct RandomPairs {
   }
 
   PairView<Real> view() {
-    PairView<Real> v{first.size(),
+    PairView<Real> v{0,
+                     first.size(),
                      first.data(),
                      second.data(),
                      image.data(),

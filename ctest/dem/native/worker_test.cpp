@@ -58,12 +58,15 @@ class Team {
             grains_.role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
   }
   void run(int steps) {
-    for (int step = 0; step < steps; ++step) {
+    each([&](Worker<Real>& worker) { worker.begin(true, 1 - turn_); });
+    for (int left = steps; left > 0; --left) {
       turn_ = 1 - turn_;
-      each([&](Worker<Real>& worker) { worker.begin(step == 0, turn_); });
       each([&](Worker<Real>& worker) {
         worker.meet(workers_, turn_);
-        worker.evaluate(turn_, step + 1 == steps);
+        if (left > 1)
+          worker.evaluate_and_begin(turn_, 1 - turn_);
+        else
+          worker.evaluate(turn_);
       });
     }
   }

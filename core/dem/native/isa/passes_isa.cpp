@@ -18,7 +18,7 @@ void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs,
                Load<Real>* loads, AcrossFaces* across) {
   constexpr bool spins = Sliding || Rolling;
   Tile<Real> tile;
-  for (std::size_t start = 0; start < pairs.count; start += Tile<Real>::size) {
+  for (std::size_t start = pairs.begin; start < pairs.end; start += Tile<Real>::size) {
     gather<Real, spins>(pairs, start, bodies, tile);
     apply_law<Real, Sliding, Rolling>(constants, tile);
     scatter<Real, spins>(pairs, start, tile, loads);
