@@ -26,7 +26,7 @@ struct MovingGrains {
   std::size_t begin, end;
   const double *kick, *twist;  ///< dt/2 m and dt/2 I_s of each grain, 0 for glued ones
   Body<double>* bodies;
-  Body<Real>* published;  ///< what the contact pass reads; may be `bodies`
+  Body<Real>* published;  ///< what the contact pass reads, and the moment pass; may be `bodies`
   Load<Real>* loads;      ///< cleared by a beginning only
 };
 

@@ -72,22 +72,31 @@ inline double slack(const MeanDrift& drift, const Start* start, const MovingGrai
   return least;
 }
 
-/// See MomentPass.
+/// Which of three coordinates lie outside a box or are no numbers.
+inline Mask outside(DoubleRow position, DoubleRow lower, DoubleRow upper) {
+  return (position < lower) | (position > upper) | (position != position);
+}
+
+/// See MomentPass. Positions are those that the contact pass has read, so that they are in the cache.
 template <typename Real>
 inline Moments moments(const double* origin, const double* weight_of_glued, const Box& box,
                        const MovingGrains<Real>& g) {
   const DoubleRow at = row_at(origin), lower = row_at(box.lower), upper = row_at(box.upper);
   const DoubleRow one{1.0, 1.0, 1.0, 1.0}, glued = row_at(weight_of_glued);
   DoubleRow height_times_force{}, moment{};
-  Moments sums;
+  Mask lost{};
   for (std::size_t i = g.begin; i < g.end; ++i) {
-    const DoubleRow position = row_at(g.bodies[i].position), arm = position - at;
+    const DoubleRow position = row_at(g.published[i].position), arm = position - at;
     const DoubleRow force = row_in_double(g.loads[i].force);
     const bool mobile = g.kick[i] > 0.0;
     height_times_force += (mobile ? arm[2] : 0.0) * force;
     moment += arm * force * (mobile ? one : glued);
-    sums.inside += !any((position < lower) | (position > upper) | (position != position));
+    lost |= outside(position, lower, upper);
   }
+  Moments sums;
+  sums.inside = g.end - g.begin;
+  for (std::size_t i = g.begin; i < g.end && any(lost); ++i)  // hardly ever
+    sums.inside -= any(outside(row_at(g.published[i].position), lower, upper));
   put_row(sums.height_times_force, height_times_force);
   put_row(sums.moment, moment);
   return sums;

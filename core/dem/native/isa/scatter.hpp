@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <cstring>
 #include <utility>
 
 #include "dem/native/isa/tile.hpp"
@@ -68,17 +69,23 @@ inline void scatter(const PairView<Real>& pairs, std::size_t start, const Tile<R
 }
 
 /// Adds the products of shift and force of pairs that meet across a face of the cell to the blocks of their first
-/// grains.
+/// grains. They are few: eight pairs are looked at at once.
 template <typename Real>
 inline void add_across(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, AcrossFaces* across) {
-  for (int k = 0; k < Tile<Real>::size; ++k) {
-    const std::size_t pair = start + static_cast<std::size_t>(k);
-    if (pairs.image[pair] == image_of(0, 0, 0)) continue;
-    const double* shift = pairs.image_shift[pairs.image[pair]];
-    AcrossFaces& sums = across[pairs.first[pair] / block_size];
-    for (std::size_t axis = 0; axis < 2; ++axis) sums[axis] += shift[axis] * static_cast<double>(t.force[axis][k]);
-    if (shift[2] == 0.0) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) sums[axis + 2] += shift[2] * static_cast<double>(t.force[axis][k]);
+  constexpr std::uint64_t inside = 0x0101010101010101u * image_of(0, 0, 0);
+  for (std::size_t eight = 0; eight < Tile<Real>::size; eight += 8) {
+    std::uint64_t images;
+    std::memcpy(&images, pairs.image + start + eight, 8);
+    if (images == inside) continue;
+    for (std::size_t k = eight; k < eight + 8; ++k) {
+      const std::uint8_t image = pairs.image[start + k];
+      if (image == image_of(0, 0, 0)) continue;
+      const double* shift = pairs.image_shift[image];
+      AcrossFaces& sums = across[pairs.first[start + k] / block_size];
+      for (std::size_t axis = 0; axis < 2; ++axis) sums[axis] += shift[axis] * static_cast<double>(t.force[axis][k]);
+      if (shift[2] == 0.0) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) sums[axis + 2] += shift[2] * static_cast<double>(t.force[axis][k]);
+    }
   }
 }
 
