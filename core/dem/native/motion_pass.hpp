@@ -20,13 +20,14 @@ struct Box {
   alignas(32) double upper[4];  ///< m, the last is infinity
 };
 
-/// Grains `begin` up to `end` of arrays that hold all of them.
+/// Grains `begin` up to `end` of arrays that hold all of them. In double a beginning reads `bodies` and writes
+/// `published`, the same array or another; in float it moves `bodies` and writes `published` as well.
 template <typename Real>
 struct MovingGrains {
   std::size_t begin, end;
   const double *kick, *twist;  ///< dt/2 m and dt/2 I_s of each grain, 0 for glued ones
   Body<double>* bodies;
-  Body<Real>* published;  ///< what the contact pass reads, and the moment pass; may be `bodies`
+  Body<Real>* published;  ///< what the contact pass reads, and the moment pass
   Load<Real>* loads;      ///< cleared by a beginning only
 };
 

@@ -131,10 +131,7 @@ void NativeEngine<Real>::hire(const Cell& cell) {
   if (threads == 0) threads = n < grains_for_threads ? 1 : static_cast<int>(std::thread::hardware_concurrency());
   threads = std::clamp(threads, 1, std::max(1, static_cast<int>(grains_.moments.size())));
   if (!team_ || team_->size() != threads) team_ = std::make_unique<native::ThreadTeam>(threads);
-  for (auto& published : grains_.published) published.clear();
-  if (threads > 1 || !std::is_same_v<Real, double>)
-    for (const Body<double>& body : grains_.bodies) grains_.published[0].push_back(native::in_precision<Real>(body));
-  if (threads > 1) grains_.published[1] = grains_.published[0];
+  grains_.publish(static_cast<std::size_t>(threads));
   const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set);
   workers_.clear();
   for (const Share& share : shares(threads))
@@ -163,7 +160,7 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
     throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
                                   assembly.size() - inside, assembly.size()));
   for (native::Worker<Real>& worker : workers_) {
-    worker.rebuild(turn_);
+    worker.rebuild(0);
     worker.list().set_histories(assembly.contacts);
   }
   take_last_step(assembly);
@@ -177,7 +174,7 @@ void NativeEngine<Real>::take_loads(const Assembly& assembly) {
         worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
         worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
       }
-    worker.measure(worker.share(), turn_);
+    worker.measure(worker.share(), 0);
   }
 }
 
@@ -272,19 +269,18 @@ void NativeEngine<Real>::run(std::int64_t steps) {
   team_->run([this, steps](int number) {  // the end of the last run's last step joins the first begin
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
     if (law_is_new_) worker.list().forget(grains_.variant);
-    int turn = turn_;
-    worker.begin(!half_step_, turn = 1 - turn);
-    for (std::int64_t left = steps; left > 0; --left) {
+    int turn = 1;
+    worker.begin(!half_step_, turn);
+    for (std::int64_t left = steps; left > 1; --left, turn = 1 - turn) {
       team_->barrier();
       worker.meet(workers_, turn);
-      if (left > 1)
-        worker.evaluate_and_begin(turn, 1 - turn);
-      else
-        worker.evaluate(turn);
-      turn = 1 - turn;
+      worker.evaluate_and_begin(turn);
     }
+    team_->barrier();
+    worker.meet(workers_, turn);
+    worker.evaluate(turn);
   });
-  turn_ = static_cast<int>((turn_ + steps) % 2);
+  grains_.end_run(static_cast<int>(steps % 2));
   half_step_ = true;
   law_is_new_ = false;
   sum_up();
@@ -343,7 +339,7 @@ Assembly NativeEngine<Real>::save() const {
       assembly.radius[i] = body.radius;
       assembly.role[i] = grains_.role[i];
     }
-    worker.add_histories(turn_, assembly.contacts);
+    worker.add_histories(assembly.contacts);
   }
   return assembly;
 }

@@ -67,7 +67,6 @@ class NativeEngine : public Engine {
   native::Grains<Real> grains_;
   std::vector<native::Worker<Real>> workers_;
   std::unique_ptr<native::ThreadTeam> team_;
-  int turn_ = 0;                      ///< which of the published arrays is the last that was written
   bool half_step_ = false;            ///< velocities are those of the last half step: its end waits for the next begin
   bool law_is_new_ = true;            ///< since the last run: histories may be there that it does not keep
   std::vector<std::uint32_t> glued_;  ///< grains that are not mobile

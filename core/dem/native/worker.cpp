@@ -38,47 +38,42 @@ Worker<Real>::Worker(const Share& share, Grains<Real>& grains, const Boundaries&
       allowance_at_rest_(first_allowance) {}
 
 template <typename Real>
-std::vector<Body<Real>>& Worker<Real>::seen(int turn) {
-  if constexpr (std::is_same_v<Real, double>)
-    if (grains_.published[0].empty()) return grains_.bodies;
-  return grains_.published[grains_.published[1].empty() ? 0 : static_cast<std::size_t>(turn)];
+void Grains<Real>::publish(std::size_t workers) {
+  rounded.clear();
+  if constexpr (!std::is_same_v<Real, double>)
+    for (const Body<double>& body : bodies) rounded.push_back(in_precision<Real>(body));
+  other.clear();
+  if (workers > 1) other = seen(0);
 }
 
 template <typename Real>
-MovingGrains<Real> Worker<Real>::moving(const Share& part, int turn) {
-  return {part.begin,          part.end,           grains_.kick.data(), grains_.twist.data(),
-          grains_.bodies.data(), seen(turn).data(), loads_.data()};
+MovingGrains<Real> Worker<Real>::moving(const Share& part, int from, int to) {
+  return {part.begin, part.end, grains_.kick.data(), grains_.twist.data(), grains_.exact(from).data(),
+          grains_.seen(to).data(), loads_.data()};
 }
 
 template <typename Real>
-void Worker<Real>::publish(int turn) {
-  std::vector<Body<Real>>& shown = seen(turn);
-  if (static_cast<void*>(&shown) == &grains_.bodies) return;
-  for (std::size_t i = share_.begin; i < share_.end; ++i) shown[i] = in_precision<Real>(grains_.bodies[i]);
-}
-
-template <typename Real>
-void Worker<Real>::fold(std::vector<Fold>& folds) {
+void Worker<Real>::fold(std::vector<Body<double>>& bodies, std::vector<Fold>& folds) {
   // At every step, not when the list is built: a folded coordinate rounds differently.
   const Cell& cell = boundaries_.cell();
   for (std::size_t i = share_.begin; i < share_.end; ++i)
     for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
-      double& x = grains_.bodies[i].position[axis];
+      double& x = bodies[i].position[axis];
       const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
       if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
       const int periods = below ? 1 : -1;
       x += periods * cell.lengths()[axis];
       for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->carry(i, axis, periods * cell.lengths()[axis]);
-      if (axis == 2) cross_the_shear(i, periods);
+      if (axis == 2) cross_the_shear(bodies[i], i, periods);
       folds.push_back({static_cast<std::uint32_t>(i), axis, periods});
     }
 }
 
 template <typename Real>
-void Worker<Real>::cross_the_shear(std::size_t grain, int layers) {
+void Worker<Real>::cross_the_shear(Body<double>& body, std::size_t grain, int layers) {
   const Cell& cell = boundaries_.cell();
-  grains_.bodies[grain].position[0] += layers * cell.shear_offset;
-  grains_.bodies[grain].velocity[0] += layers * cell.shear_velocity;
+  body.position[0] += layers * cell.shear_offset;
+  body.velocity[0] += layers * cell.shear_velocity;
   for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->cross_the_shear(grain, layers, cell);
 }
 
@@ -86,7 +81,8 @@ template <typename Real>
 void Worker<Real>::begin(bool first, int turn) {
   const MeanFlow flow = boundaries_.mean_flow();
   const MotionPart part = first ? MotionPart::begin : MotionPart::end_and_begin;
-  arrive(passes_.motion(part, grains_.time_step, flow, boundaries_.periods(), moving(share_, turn)), flow, turn);
+  arrive(passes_.motion(part, grains_.time_step, flow, boundaries_.periods(), moving(share_, 1 - turn, turn)), flow,
+         turn);
 }
 
 template <typename Real>
@@ -94,14 +90,18 @@ void Worker<Real>::arrive(const MotionExtremes& extremes, const MeanFlow& flow, 
   for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->follow(flow, grains_.time_step);
   boundaries_.advance();
   const bool carried = boundaries_.carries();
-  if (carried) boundaries_.carry(grains_.bodies);
+  std::vector<Body<double>>& bodies = grains_.exact(turn);
+  if (carried) boundaries_.carry(bodies);
   News& news = news_[static_cast<std::size_t>(turn)];
   news.fluctuation_squared = extremes.fluctuation_squared;
   news.folds.clear();
-  if (carried || extremes.outside) fold(news.folds);
-  if (carried || !news.folds.empty()) publish(turn);
-  if (watch_.measures()) news.slack = watch_.measure(passes_.slack, moving(share_, turn));
-  if (search_watch_.measures()) news.search_slack = search_watch_.measure(passes_.slack, moving(share_, turn));
+  if (carried || extremes.outside) fold(bodies, news.folds);
+  if constexpr (!std::is_same_v<Real, double>)
+    for (std::size_t i = share_.begin; i < share_.end && (carried || !news.folds.empty()); ++i)
+      grains_.seen(turn)[i] = in_precision<Real>(bodies[i]);
+  const MovingGrains<Real> here = moving(share_, turn, turn);
+  if (watch_.measures()) news.slack = watch_.measure(passes_.slack, here);
+  if (search_watch_.measures()) news.search_slack = search_watch_.measure(passes_.slack, here);
 }
 
 template <typename Real>
@@ -144,10 +144,11 @@ void Worker<Real>::allow(const std::vector<Body<Real>>& bodies) {
 
 template <typename Real>
 void Worker<Real>::rebuild(int turn) {
-  allow(seen(turn));
-  list_.search(boundaries_.cell(), seen(turn), grains_.role, search_allowance_);
-  search_watch_.start(share_, grains_.bodies, search_allowance_);
-  boundaries_.find_near(grains_.bodies, grains_.role, most * grains_.smallest_diameter);
+  const std::vector<Body<double>>& bodies = grains_.exact(turn);
+  allow(grains_.seen(turn));
+  list_.search(boundaries_.cell(), grains_.seen(turn), grains_.role, search_allowance_);
+  search_watch_.start(share_, bodies, search_allowance_);
+  boundaries_.find_near(bodies, grains_.role, most * grains_.smallest_diameter);
   build(turn);
 }
 
@@ -158,9 +159,9 @@ void Worker<Real>::build(int turn) {
     if (watch_.age() < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
     if (watch_.age() > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
   }
-  allow(seen(turn));
-  list_.build(boundaries_.cell(), seen(turn), allowance_);
-  watch_.start(share_, grains_.bodies, allowance_);
+  allow(grains_.seen(turn));
+  list_.build(boundaries_.cell(), grains_.seen(turn), allowance_);
+  watch_.start(share_, grains_.exact(turn), allowance_);
 }
 
 template <typename Real>
@@ -172,12 +173,12 @@ void Worker<Real>::sum_loads(int turn, AcrossFaces* across, Then then) {
   for (pairs.end = 0; part.end < share_.end;) {
     pairs.begin = pairs.end;
     pairs.end = std::min(all, pairs.begin + pairs_at_once);
-    passes_.contacts(grains_.variant, grains_.law, pairs, seen(turn).data(), loads_.data(), across);
+    passes_.contacts(grains_.variant, grains_.law, pairs, grains_.seen(turn).data(), loads_.data(), across);
     // Pairs are sorted by their first grain, the smaller: what comes has no grain before it.
     part.end = share_.end;
     if (pairs.end < all)
       part.end = std::clamp<std::size_t>(pairs.first[pairs.end] / block_size * block_size, part.begin, share_.end);
-    boundaries_.push(part, grains_.bodies, grains_.role, loads_);
+    boundaries_.push(part, grains_.exact(turn), grains_.role, loads_);
     then(part);
     part.begin = part.end;
   }
@@ -192,13 +193,14 @@ void Worker<Real>::evaluate(int turn) {
 }
 
 template <typename Real>
-void Worker<Real>::evaluate_and_begin(int turn, int next_turn) {
+void Worker<Real>::evaluate_and_begin(int turn) {
+  const int next_turn = 1 - turn;
   const MeanFlow flow = boundaries_.mean_flow();
   const Box periods = boundaries_.periods();
   MotionExtremes extremes;
   sum_loads(turn, nullptr, [&](const Share& part) {
     extremes.widen(passes_.motion(MotionPart::end_and_begin, grains_.time_step, flow, periods,
-                                  moving(part, next_turn)));
+                                  moving(part, turn, next_turn)));
   });
   arrive(extremes, flow, next_turn);
 }
@@ -212,7 +214,7 @@ void Worker<Real>::measure(const Share& part, int turn) {
   const Box confines = boundaries_.confines();
   for (std::size_t begin = part.begin; begin < part.end; begin += block_size)
     grains_.moments[begin / block_size] =
-        passes_.moments(origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, part.end)}, turn));
+        passes_.moments(origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, part.end)}, turn, turn));
 }
 
 template <typename Real>
@@ -239,8 +241,8 @@ void Worker<Real>::add_boundary_forces(StressSums& sums) const {
 }
 
 template <typename Real>
-void Worker<Real>::add_histories(int turn, std::vector<ContactHistory>& contacts) const {
-  list_.add_histories(seen(turn), contacts);
+void Worker<Real>::add_histories(std::vector<ContactHistory>& contacts) const {
+  list_.add_histories(grains_.seen(0), contacts);
 }
 
 template <typename Real>
@@ -248,6 +250,8 @@ double Worker<Real>::longest_reach(const Grains<Real>& grains) {
   return grains.largest_diameter + 2.0 * most * grains.smallest_diameter;
 }
 
+template struct Grains<double>;
+template struct Grains<float>;
 template class Worker<double>;
 template class Worker<float>;
 

@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "dem/native/boundaries.hpp"
@@ -16,10 +18,10 @@ namespace flowslide::native {
 template <typename Real>
 struct Grains {
   std::vector<Role> role;
-  std::vector<Body<double>> bodies;  ///< each written by its owner alone; two more than grains: they pad pair lists
-  /// What is read of grains of other owners, written by turns, so that one barrier a step is enough. A single worker
-  /// needs no turns: the second is empty then, and in double the first too, as `bodies` can be read.
-  std::array<std::vector<Body<Real>>, 2> published;
+  std::vector<Body<double>> bodies;  ///< between runs; two more than grains: they pad pair lists
+  /// What workers read of all grains, each written by its owner alone: in float `rounded`, in double `bodies`. Several
+  /// workers write this and `other` by turns, so that one barrier a step is enough; of one worker `other` is empty.
+  std::vector<Body<Real>> rounded, other;
   std::vector<double> kick, twist;  ///< dt/2 m and dt/2 I_s; 0 for glued grains
   double time_step = 0.0;           ///< dt_L, s
   std::vector<Moments> moments;     ///< of each block, at the end of the last run
@@ -28,6 +30,28 @@ struct Grains {
   LawConstants<Real> law{};
   LawVariant variant = LawVariant::sliding_and_rolling;
   double smallest_diameter = 0.0, largest_diameter = 0.0;  ///< m
+
+  /// Makes the arrays that workers read, for so many of them.
+  void publish(std::size_t workers);
+  /// What workers read at a turn, 0 or 1; a run begins after turn 0.
+  std::vector<Body<Real>>& seen(int turn) {
+    if (turn == 1 && !other.empty()) return other;
+    if constexpr (std::is_same_v<Real, double>)
+      return bodies;
+    else
+      return rounded;
+  }
+  /// The grains in double at a turn.
+  std::vector<Body<double>>& exact(int turn) {
+    if constexpr (std::is_same_v<Real, double>)
+      return seen(turn);
+    else
+      return bodies;
+  }
+  /// Makes the last turn of a run turn 0.
+  void end_run(int turn) {
+    if (turn == 1 && !other.empty()) std::swap(seen(0), other);
+  }
 };
 
 /// One thread's part of a step: it moves the grains of its share and evaluates every contact that touches one of them,
@@ -40,14 +64,14 @@ class Worker {
   Worker(const Share& share, Grains<Real>& grains, const Boundaries& boundaries, double first_allowance,
          const Passes<Real>& passes);
 
-  /// First half: half kicks and drift of the own grains; `turn` says which of the published arrays is written.
+  /// First half: half kicks and drift of the own grains, to this turn from the other.
   void begin(bool first, int turn);
   /// Takes note of what all workers have done; after a barrier.
   void meet(const std::vector<Worker>& all, int turn);
   /// Second half: sums the loads of the own grains and measures them, see Grains: for the last step of a run.
   void evaluate(int turn);
   /// Second half of a step and first half of the next in one go through pairs and grains.
-  void evaluate_and_begin(int turn, int next_turn);
+  void evaluate_and_begin(int turn);
   /// The half kick that is left after the last step of a run, of the own grains in `bodies`.
   void end(std::vector<Body<double>>& bodies) const;
   /// Sums the moments of a part of the own grains, block by block.
@@ -56,12 +80,10 @@ class Worker {
   /// Velocities are those of the half step.
   void add_boundary_forces(StressSums& sums) const;
   /// Adds the histories of the share's pairs that touch.
-  void add_histories(int turn, std::vector<ContactHistory>& contacts) const;
+  void add_histories(std::vector<ContactHistory>& contacts) const;
 
   /// Searches all pairs and builds the list anew.
   void rebuild(int turn);
-  /// Shows the own grains to the others.
-  void publish(int turn);
   /// Largest distance of the centres of two grains in a list, m.
   static double longest_reach(const Grains<Real>& grains);
   const Share& share() const { return share_; }
@@ -82,17 +104,16 @@ class Worker {
     double slack = 0.0, search_slack = 0.0;  ///< what the watches measured, if they did, m
     std::vector<Fold> folds;
   };
-  std::vector<Body<Real>>& seen(int turn);
-  const std::vector<Body<Real>>& seen(int turn) const { return const_cast<Worker*>(this)->seen(turn); }
-  MovingGrains<Real> moving(const Share& part, int turn);
+  /// A part of the share on its way from one turn to the next; `from` is `to` for passes that only look.
+  MovingGrains<Real> moving(const Share& part, int from, int to);
   /// Sums the loads of the own grains and calls then(part) for blocks of them that no further pair has, in their order.
   template <typename Then>
   void sum_loads(int turn, AcrossFaces* across, Then then);
   /// After the first half of a step: moves the boundaries and puts grains back into the cell.
   void arrive(const MotionExtremes& extremes, const MeanFlow& flow, int turn);
-  void fold(std::vector<Fold>& folds);
+  void fold(std::vector<Body<double>>& bodies, std::vector<Fold>& folds);
   /// A grain was folded by so many heights of the cell, 1 or -1.
-  void cross_the_shear(std::size_t grain, int layers);
+  void cross_the_shear(Body<double>& body, std::size_t grain, int layers);
   void allow(const std::vector<Body<Real>>& bodies);
   /// Builds the list from the pairs of the last search.
   void build(int turn);

@@ -36,6 +36,12 @@ struct MovingBodies {
   MotionExtremes move(const Passes<Real>& passes, MotionPart part) {
     return passes.motion(part, pass_step, flow, box, grains());
   }
+  /// Where a part puts the grains.
+  const std::vector<Body<double>>& after(MotionPart part) const {
+    if constexpr (std::is_same_v<Real, double>)
+      if (part != MotionPart::end && !published.empty()) return published;
+    return bodies;
+  }
   double slack(const Passes<Real>& passes) { return passes.slack(drift, start.data(), grains()); }
   Moments moments(const Passes<Real>& passes) {
     return passes.moments(origin, weight_of_glued, box, grains());

@@ -23,8 +23,7 @@ class Team {
     const std::size_t n = assembly_.size();
     grains_.role = assembly_.role;
     grains_.bodies = bodies_of(assembly_);
-    if (!cuts.empty() || !std::is_same_v<Real, double>) grains_.published[0] = bodies_of<Real>(assembly_);
-    if (!cuts.empty()) grains_.published[1] = grains_.published[0];
+    grains_.publish(cuts.size() + 1);
     for (std::size_t i = 0; i < n; ++i) {
       const bool moves = grains_.role[i] == Role::mobile;
       grains_.kick.push_back(moves ? 0.5 * pass_step / grains_.bodies[i].mass : 0.0);
@@ -58,17 +57,18 @@ class Team {
             grains_.role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
   }
   void run(int steps) {
-    each([&](Worker<Real>& worker) { worker.begin(true, 1 - turn_); });
-    for (int left = steps; left > 0; --left) {
-      turn_ = 1 - turn_;
+    int turn = 1;
+    each([&](Worker<Real>& worker) { worker.begin(true, turn); });
+    for (int left = steps; left > 1; --left, turn = 1 - turn)
       each([&](Worker<Real>& worker) {
-        worker.meet(workers_, turn_);
-        if (left > 1)
-          worker.evaluate_and_begin(turn_, 1 - turn_);
-        else
-          worker.evaluate(turn_);
+        worker.meet(workers_, turn);
+        worker.evaluate_and_begin(turn);
       });
-    }
+    each([&](Worker<Real>& worker) {
+      worker.meet(workers_, turn);
+      worker.evaluate(turn);
+    });
+    grains_.end_run(turn);
   }
   /// At the end of the step.
   std::vector<Body<double>> bodies() const {
@@ -83,7 +83,7 @@ class Team {
   }
   std::vector<ContactHistory> histories() const {
     std::vector<ContactHistory> contacts;
-    for (const Worker<Real>& worker : workers_) worker.add_histories(turn_, contacts);
+    for (const Worker<Real>& worker : workers_) worker.add_histories(contacts);
     return contacts;
   }
   const Load<Real>& load_of(std::size_t grain) const {
@@ -109,7 +109,6 @@ class Team {
   bool reversed_;
   Grains<Real> grains_;
   std::vector<Worker<Real>> workers_;
-  int turn_ = 0;
 };
 
 template <typename Real>

@@ -15,6 +15,15 @@ inline DoubleRow smaller(DoubleRow a, DoubleRow b) { return a < b ? a : b; }
 inline DoubleRow larger(DoubleRow a, DoubleRow b) { return a > b ? a : b; }
 inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2]) != 0; }
 
+/// Where a grain is put: see MovingGrains.
+template <bool Begin, typename Real>
+inline Body<double>* after(const MovingGrains<Real>& g, std::size_t i) {
+  if constexpr (Begin && std::is_same_v<Real, double>)
+    return g.published + i;
+  else
+    return g.bodies + i;
+}
+
 /// The motion pass with its part known at compile time. The last number of a row of loads is 0, so that mass and
 /// inertia, which stand behind velocity and spin, stay what they are.
 template <typename Real, bool End, bool Begin>
@@ -25,7 +34,6 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
   const DoubleRow lower = row_at(box.lower), upper = row_at(box.upper);
   DoubleRow lowest = lower, highest = lower, fastest{};
   const MovingGrains<Real> g = grains;  // a copy, which no store can change
-  const bool publish = static_cast<void*>(g.published) != g.bodies;
   const double origin = flow.origin;
   for (std::size_t i = g.begin; i < g.end; ++i) {
     Body<double>& body = g.bodies[i];
@@ -37,18 +45,19 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
       velocity += kicked;
       spin += twisted;
     }
-    put_row(body.velocity, velocity);
-    put_row(body.spin, spin);
+    Body<double>& moved = *after<Begin>(g, i);
+    put_row(moved.velocity, velocity);
+    put_row(moved.spin, spin);
     if constexpr (Begin) {
       const DoubleRow fluctuation = velocity - (base + slope * (body.position[2] - origin));
       fastest = larger(fluctuation * fluctuation, fastest);
       const DoubleRow position = row_at(body.position) + drift * velocity;
       lowest = smaller(position, lowest);
       highest = larger(position, highest);
-      put_row(body.position, position);
+      put_row(moved.position, position);
       put_row(load.force, Row<Real>{});
       put_row(load.torque, Row<Real>{});
-      if (!publish) continue;
+      if constexpr (std::is_same_v<Real, double>) continue;
       Body<Real>& published = g.published[i];
       put_row(published.position, position);
       put_row(published.velocity, rounded<Real>(velocity));
