@@ -74,7 +74,7 @@ std::vector<Scene> scenes_of(const Suite& suite) {
   for (Scene& scene : all) scene.seconds *= std::max(1.0, grains / quick_grains);
   if (suite.large_lattice[0] > 0)
     all.push_back({"many_grains", "70 000 grains", "tau up to 0.6 % strain at 0.1 t_R, 2 % accurate, 10 % stable",
-                   40000, many_grains_scene});
+                   3600, many_grains_scene});
   return all;
 }
 

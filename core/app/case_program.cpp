@@ -215,7 +215,13 @@ class CaseProgram {
     std::vector<std::string> present;
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name) || !std::filesystem::exists(output.file(point.name + ".h5"))) continue;
-      if (const std::string hash = output.hash_of(point.name); hash != configuration_.hash())
+      const std::string hash = output.hash_of(point.name);
+      if (hash.empty())
+        throw ConfigurationError(
+            fmt::format("{0}/{1}.h5 is there without {0}/.flowslide/{1}.hash, which says with what configuration it "
+                        "was made; copy that folder as well",
+                        output.path().string(), point.name));
+      if (hash != configuration_.hash())
         throw ConfigurationError(
             fmt::format("the results of {} in {} were made with the configuration {}, not with this one, {}; give "
                         "--check the options "

@@ -256,6 +256,12 @@ TEST_F(CaseProgramTest, JudgesNoResultsOfAnotherConfiguration) {
   EXPECT_CONTAINS(message, "give --check the options they were made with");
 }
 
+TEST_F(CaseProgramTest, JudgesNoResultsOfUnknownConfiguration) {
+  run({});
+  fs::remove(out() / ".flowslide" / "b.hash");
+  EXPECT_CONTAINS(complaint({"--check"}), "b.h5 is there without " + out().string() + "/.flowslide/b.hash");
+}
+
 TEST_F(CaseProgramTest, ChecksTheClaimsOfTheFiguresOfAPoint) {
   run({"--point", "a"});
   // Point a draws figure 1, whose claim is met; "Fig. 12" is not its figure though it begins alike.
