@@ -36,13 +36,14 @@ Series states_series(const Ensembles& slides, const std::string& start) {
   Series states;
   states.axis = {"inertial_number", "I", "1", "inertial number", "", {}};
   states.columns = {friction_column("friction", "friction of steady shear"),
-                    {"shear_rate", "gamma_dot", "1/s", "shear rate", "", {}}};
+                    {"shear_rate", "gamma_dot", "1/s", "shear rate", "", {}},
+                    {"void_ratio", "e", "1", "void ratio, which a constant volume keeps", "", {}}};
   for (const auto& [name, ensemble] : slides) {
     if (!name.starts_with(start)) continue;
     const auto number = values_of(ensemble, "inertial_number"), friction = values_of(ensemble, "friction"),
-               rate = values_of(ensemble, "shear_rate");
+               rate = values_of(ensemble, "shear_rate"), void_ratio = values_of(ensemble, "initial_void_ratio");
     for (std::size_t i = 0; i < std::min(number.size(), friction.size()); ++i)
-      states.append_row(number[i], std::array{friction[i], rate[i]});
+      states.append_row(number[i], std::array{friction[i], rate[i], void_ratio[i]});
   }
   return states;
 }
