@@ -42,7 +42,7 @@ Series states_series(const Ensembles& slides, const std::string& start) {
     if (!name.starts_with(start)) continue;
     const auto number = values_of(ensemble, "inertial_number"), friction = values_of(ensemble, "friction"),
                rate = values_of(ensemble, "shear_rate"), void_ratio = values_of(ensemble, "initial_void_ratio");
-    for (std::size_t i = 0; i < std::min(number.size(), friction.size()); ++i)
+    for (std::size_t i = 0; i < std::min({number.size(), friction.size(), void_ratio.size()}); ++i)
       states.append_row(number[i], std::array{friction[i], rate[i], void_ratio[i]});
   }
   return states;

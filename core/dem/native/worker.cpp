@@ -97,8 +97,9 @@ void Worker<Real>::arrive(const MotionExtremes& extremes, const MeanFlow& flow, 
   news.folds.clear();
   if (carried || extremes.outside) fold(bodies, news.folds);
   if constexpr (!std::is_same_v<Real, double>)
-    for (std::size_t i = share_.begin; i < share_.end && (carried || !news.folds.empty()); ++i)
-      grains_.seen(turn)[i] = in_precision<Real>(bodies[i]);
+    if (carried || !news.folds.empty())
+      for (std::size_t i = share_.begin; i < share_.end; ++i)
+        grains_.seen(turn)[i] = in_precision<Real>(bodies[i]);
   const MovingGrains<Real> here = moving(share_, turn, turn);
   if (watch_.measures()) news.slack = watch_.measure(passes_.slack, here);
   if (search_watch_.measures()) news.search_slack = search_watch_.measure(passes_.slack, here);
@@ -214,7 +215,8 @@ void Worker<Real>::measure(const Share& part, int turn) {
   const Box confines = boundaries_.confines();
   for (std::size_t begin = part.begin; begin < part.end; begin += block_size)
     grains_.moments[begin / block_size] =
-        passes_.moments(origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, part.end)}, turn, turn));
+        passes_.moments(origin, weight_of_glued, confines,
+                        moving({begin, std::min(begin + block_size, part.end)}, turn, turn));
 }
 
 template <typename Real>
