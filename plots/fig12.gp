@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 12: pulses of three amplitudes, RD (solid, with the band of its replicates) and RI (dashed): (A) velocity,
+# Figure 12: pulses of three amplitudes, RD (solid) and RI (dashed) with the bands of their replicates: (A) velocity,
 # (B) excess pore pressure.
 amplitudes = "3 4 5"
 tables = ""
@@ -28,7 +28,7 @@ do for [format in "png pdf"] {
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
   set yrange [0:*]
   set key left top Left reverse
-  plot for [i = 1:3] table("RD", i) using 1:(column(v + 1)):(column(v + 2)) \
+  plot for [s in "RI RD"] for [i = 1:3] table(s, i) using 1:(column(v + 1)):(column(v + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
        for [i = 1:3] table("RI", i) using 1:(column(v)) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
@@ -41,7 +41,7 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   unset key
-  plot for [i = 1:3] wide("RD", i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
+  plot for [s in "RI RD"] for [i = 1:3] wide(s, i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
          with filledcurves linecolor rgb colour[i] notitle, \
        for [i = 1:3] wide("RI", i) using 1:(kilo * column(p)) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
