@@ -1,71 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Runs of the program `restartable` as processes that can be signalled, and what they leave.
 #pragma once
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <functional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "app/messages.hpp"
 #include "app/slide_case_text.hpp"
 #include "record/checkpoint_store.hpp"
 #include "record/result_file.hpp"
 #include "record/same_bits.hpp"
+#include "support/process.hpp"
 
 namespace flowslide {
-
-using Words = std::vector<std::string>;
-
-/// One process. What it says goes to a file.
-class Process {
- public:
-  /// `prepare` is called in the child before the program takes its place.
-  Process(const Words& words, const std::filesystem::path& said, const std::function<void()>& prepare = {})
-      : said_(said) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    child_ = ::fork();
-    if (child_ != 0) return;
-    const int file = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    ::dup2(file, STDOUT_FILENO);
-    ::dup2(file, STDERR_FILENO);
-    if (prepare) prepare();
-    ::execv(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  ~Process() {
-    if (child_ <= 0) return;
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  void signal(int number) const { ::kill(child_, number); }
-  bool runs() const {
-    siginfo_t info{};
-    return ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
-  }
-  /// The exit code, or 128 and the signal that ended it.
-  int wait() {
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    child_ = -1;
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  }
-  std::string said() const { return content_of(said_); }
-
- private:
-  std::filesystem::path said_;
-  pid_t child_ = -1;
-};
 
 /// A case in a scratch folder, and runs of it.
 class ProgramTest : public testing::Test {
