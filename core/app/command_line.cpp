@@ -190,11 +190,11 @@ std::string footer(const std::string& name) {
   throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
 }
 
-/// A time above 0 in s; `unset` for an option that was not given.
-double time_in(const std::string& text, const char* option, double unset) {
+/// A time above 0 in s; `unset` for an option that was not given. `likely_unit` is proposed for a bare number.
+double time_in(const std::string& text, const char* option, std::string_view likely_unit, double unset) {
   if (text.empty()) return unset;
   try {
-    if (const double time = parse_quantity(text, dimension::time); time > 0.0 && std::isfinite(time)) return time;
+    if (const double time = parse_quantity(text, dimension::time, likely_unit); time > 0.0) return time;
   } catch (const std::invalid_argument& error) {
     throw ConfigurationError(fmt::format("{}: {}", option, error.what()));
   }
@@ -224,8 +224,8 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
                                           : std::filesystem::path("results") / description.name / command_line.scale;
-  command_line.checkpoint_interval = time_in(raw.checkpoint_interval, "--checkpoint-interval", 180.0);
-  command_line.max_walltime = time_in(raw.max_walltime, "--max-walltime", std::numeric_limits<double>::infinity());
+  command_line.checkpoint_interval = time_in(raw.checkpoint_interval, "--checkpoint-interval", "min", 180.0);
+  command_line.max_walltime = time_in(raw.max_walltime, "--max-walltime", "h", std::numeric_limits<double>::infinity());
   const int others = command_line.status + command_line.so_far + command_line.prepare;
   if (command_line.dry_run + command_line.list + command_line.check + others > 1) {
     throw ConfigurationError(
@@ -242,8 +242,9 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
 CommandLine parse(int argc, const char* const* argv, const CaseDescription& description) {
   CommandLine command_line;
   Raw raw;
-  CLI::App app(fmt::format("{}\nDraws {}.", description.description, fmt::join(description.figures, ", ")),
-               description.name);
+  const std::string figures =
+      description.figures.empty() ? "" : fmt::format("\nDraws {}.", fmt::join(description.figures, ", "));
+  CLI::App app(description.description + figures, description.name);
   app.set_help_flag("--help,-h", "Print this help and end")->group("About");
   app.set_version_flag("--version", fmt::format("{} {}", description.name, description.version),
                        "Print the version and end")

@@ -9,6 +9,7 @@
 #include "app/entry_reader.hpp"
 #include "app/error.hpp"
 #include "app/nearest.hpp"
+#include "app/symbols.hpp"
 #include "app/value_check.hpp"
 #include "record/hash.hpp"
 
@@ -24,13 +25,19 @@ Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.st
   }
   if (layers.user_file) lay_over(*layers.user_file, layers.scale, scales);
   for (const Override& item : layers.overrides) overlay(entries_, read_option(item.key, item.value, item.option));
+  index_entries();
 }
 
 Configuration Configuration::from_text(std::string_view toml, std::string origin) {
   Configuration configuration;
   configuration.entries_ = read_entries(toml, origin);
   configuration.origin_ = std::move(origin);
+  configuration.index_entries();
   return configuration;
+}
+
+void Configuration::index_entries() {
+  for (std::size_t i = 0; i < entries_.size(); ++i) positions_.emplace(entries_[i].key, i);
 }
 
 void Configuration::lay_over(const std::filesystem::path& file, const std::string& scale,
@@ -61,8 +68,8 @@ void Configuration::lay_over(const std::filesystem::path& file, const std::strin
 }
 
 const Entry* Configuration::find(std::string_view key) const {
-  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key == key; });
-  return found == entries_.end() ? nullptr : &*found;
+  const auto found = positions_.find(key);
+  return found == positions_.end() ? nullptr : &entries_[found->second];
 }
 
 const Entry& Configuration::require(std::string_view key, std::string_view wanted) const {
@@ -75,10 +82,17 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
   const std::string similar = nearest(key, unread);
   if (!similar.empty() && edit_distance(key, similar) <= 3)
     hint = fmt::format(" (is \"{}\" at {} a misspelling of it?)", similar, find(similar)->key_place.text());
+  const std::string table(key.substr(0, std::min(key.rfind('.'), key.size())));
+  const std::string where =
+      is_users_table(table) ? fmt::format("{}: [{}] lacks the key \"{}\"", find(table)->key_place.text(), table, key)
+                            : fmt::format("{}: the key \"{}\" is missing", origin_, key);
   throw ConfigurationError(
-      fmt::format("{}: the key \"{}\" is missing: {} is needed; add it there or with --set "
-                  "{}=VALUE{}",
-                  origin_, key, wanted, key, hint));
+      fmt::format("{}: {} is needed; add it there or with --set {}=VALUE{}", where, wanted, key, hint));
+}
+
+bool Configuration::is_users_table(std::string_view table) const {
+  const Entry* entry = find(table);
+  return entry != nullptr && entry->kind == Entry::Kind::table && entry->key_place.origin != origin_;
 }
 
 bool Configuration::has(std::string_view key) const {
@@ -158,10 +172,13 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   for (const std::string& key : known_)
     if (const Entry* found = find(key); found != nullptr && found->kind == Entry::Kind::table) tables.insert(key);
   for (const std::string& table : tables) keys.erase(table);
-  const std::set<std::string>& candidates = is_table && !tables.empty() ? tables : keys;
+  const std::set<std::string>& those = is_table && !tables.empty() ? tables : keys;
+  const std::vector<std::string> candidates(those.begin(), those.end());
+  const std::string meant = is_table ? "" : key_meant(entry.key, candidates);
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
-                     did_you_mean(entry.key, {candidates.begin(), candidates.end()},
-                                  "none is like it; --dry-run prints those there are"));
+                     !meant.empty() ? fmt::format("did you mean \"{}\"?", meant)
+                                    : did_you_mean(entry.key, candidates,
+                                                   "none is like it; --dry-run prints those there are"));
 }
 
 /// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.

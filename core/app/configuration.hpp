@@ -17,7 +17,7 @@
 
 namespace flowslide {
 
-/// One value from the command line. The value is read as TOML and, if it is none, as text: `28340`, `true`, `[1, 2]`,
+/// One value from the command line. The value is read as TOML and, if it is none, as text: `0.5`, `true`, `[1, 2]`,
 /// `"3 kPa"` and `3 kPa` all work.
 struct Override {
   std::string key;     ///< "sample.confining_stress"
@@ -52,8 +52,11 @@ class Configuration {
 
   /// Whether the key, a value or a table, is there. Marks it as known.
   bool has(std::string_view key) const;
+  /// Whether a table is there that the case file does not have: --config or --set brought it.
+  bool is_users_table(std::string_view table) const;
 
-  /// A number in SI units, from a number or a text such as "3 kPa".
+  /// A number in SI units, from a text such as "3 kPa". A bare number is refused, but 0 and where the dimension has no
+  /// unit.
   double quantity(std::string_view key, const Dimension& dimension, const Range& range = Range::any()) const;
   /// A number without unit; "25 %" is 0.25.
   double number(std::string_view key, const Range& range = Range::any()) const;
@@ -88,8 +91,9 @@ class Configuration {
   /// readers took from elsewhere. Call it once all is read.
   void reject_unknown() const;
 
-  /// All that was read, as canonical TOML: dotted keys, sorted, values in SI units in the shortest form that gives the
-  /// same double again, the unit in a comment. Reading this text gives the same configuration.
+  /// All that was read, as canonical TOML: dotted keys, sorted, numbers in the shortest form that gives the same double
+  /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives the
+  /// same configuration.
   std::string resolved() const;
   /// XXH3, 128 bits, of resolved(), as 32 hexadecimal digits.
   std::string hash() const;
@@ -97,6 +101,7 @@ class Configuration {
  private:
   Configuration() = default;
   void lay_over(const std::filesystem::path& file, const std::string& scale, std::vector<std::string>& scales);
+  void index_entries();
   const Entry* find(std::string_view key) const;
   const Entry& require(std::string_view key, std::string_view wanted) const;
   const Entry& require_value(std::string_view key, std::string_view wanted) const;
@@ -109,6 +114,7 @@ class Configuration {
 
   std::string origin_;                                   ///< the first file
   std::vector<Entry> entries_;                           ///< in file order, parents before children
+  std::map<std::string, std::size_t, std::less<>> positions_;  ///< of the keys in entries_
   std::vector<Entry> unselected_;                        ///< of scales that were not chosen: checked for spelling only
   mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
   mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them

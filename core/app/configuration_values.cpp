@@ -2,6 +2,8 @@
 // The getters of Configuration: each reads, checks and remembers.
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "app/canonical.hpp"
 #include "app/configuration.hpp"
 #include "app/error.hpp"
@@ -11,18 +13,21 @@
 namespace flowslide {
 namespace {
 
+/// As a text with the SI unit, "0.2 m", which reads as the same double; without unit as a number.
 std::string canonical_quantity(double value, const Dimension& dimension) {
   const std::string unit = unit_of(dimension);
-  return unit.empty() ? canonical(value) : fmt::format("{}  # {}", canonical(value), unit);
+  return unit.empty() ? canonical(value) : fmt::format("\"{} {}\"", canonical(value), unit);
 }
 
-/// [a, b, c] in canonical form, with the unit in a comment.
+/// [a, b, c], each in canonical form.
 template <typename T>
 std::string canonical_list(const std::vector<T>& values, const Dimension& dimension = dimension::dimensionless) {
   std::vector<std::string> texts;
-  for (const T& value : values) texts.push_back(canonical(value));
-  const std::string unit = unit_of(dimension);
-  return fmt::format("[{}]{}", fmt::join(texts, ", "), unit.empty() ? "" : "  # " + unit);
+  for (const T& value : values) {
+    if constexpr (std::is_same_v<T, double>) texts.push_back(canonical_quantity(value, dimension));
+    else texts.push_back(canonical(value));
+  }
+  return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
 }  // namespace

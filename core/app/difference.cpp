@@ -9,7 +9,7 @@
 namespace flowslide {
 namespace {
 
-/// Keys and values of the lines `key = value`; what follows a blank and '#' is a unit, which goes with the key.
+/// Keys and values of the lines `key = value`.
 std::map<std::string, std::string> values_of_lines(std::string_view text) {
   std::map<std::string, std::string> values;
   while (!text.empty()) {
@@ -17,8 +17,7 @@ std::map<std::string, std::string> values_of_lines(std::string_view text) {
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::size_t equals = line.find(" = ");
     if (equals == std::string_view::npos) continue;
-    const std::string_view value = line.substr(equals + 3);
-    values.emplace(line.substr(0, equals), value.substr(0, value.rfind("  # ")));
+    values.emplace(line.substr(0, equals), line.substr(equals + 3));
   }
   return values;
 }

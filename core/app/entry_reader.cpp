@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/error.hpp"
+#include "app/nesting.hpp"
 
 namespace flowslide {
 namespace {
@@ -37,6 +38,12 @@ class SourceText {
     slice = slice.substr(0, slice.find_first_of("\r\n"));
     while (!slice.empty() && (slice.back() == ' ' || slice.back() == '\t')) slice.remove_suffix(1);
     return std::string(slice) + (more ? " ..." : "");
+  }
+
+  /// The character there; '\0' behind the end.
+  char at(const toml::source_position& position) const {
+    const std::size_t place = offset(position);
+    return place < text_.size() ? text_[place] : '\0';
   }
 
  private:
@@ -123,6 +130,38 @@ class Flattener {
   std::vector<Entry> entries_;
 };
 
+[[noreturn]] void refuse_nesting(const std::string& place) {
+  throw ConfigurationError(fmt::format("{}: is nested too deeply: a key has at most {} parts, and at most as many "
+                                       "brackets may stand within each other", place, most_nesting));
+}
+
+/// The place of an offset of a text; columns count code points.
+Place place_of(std::string_view text, std::size_t offset, const std::string& origin) {
+  const std::string_view before = text.substr(0, offset);
+  const std::string_view line = before.substr(before.rfind('\n') + 1);
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return {origin, 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
+          1 + static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins))};
+}
+
+/// The library's own words, but for a string that is not closed: there it speaks of the character behind the line.
+std::string explanation(const toml::parse_error& error, std::string_view text) {
+  const std::string_view own = error.description();
+  const char at = SourceText(text).at(error.source().begin);
+  const bool in_string = own.find("string") != std::string_view::npos;
+  if (in_string && (at == '\n' || at == '\r')) return "a text is not closed: its second quote is missing in this line";
+  if (in_string && at == '\0') return "a text is not closed: its second quote is missing";
+  return std::string(own);
+}
+
+constexpr std::size_t most_shown = 60;  ///< characters of an option that is too long to be read
+
+/// Whether a value cannot be meant as plain text.
+bool begins_as_toml(std::string_view value) {
+  const std::size_t first = value.find_first_not_of(" \t");
+  return first != std::string_view::npos && std::string_view("[{\"'").find(value[first]) != std::string_view::npos;
+}
+
 void relocate(Entry& entry, const std::string& option) {
   entry.key_place = entry.whole.place = {.origin = option};
   for (Scalar& item : entry.items) item.place = {.origin = option};
@@ -131,11 +170,12 @@ void relocate(Entry& entry, const std::string& option) {
 }  // namespace
 
 std::vector<Entry> read_entries(std::string_view toml, const std::string& origin) {
+  if (const auto offset = too_deep_at(toml)) refuse_nesting(place_of(toml, *offset, origin).text());
   try {
     return Flattener(toml, origin).flatten(toml::parse(toml, origin));
   } catch (const toml::parse_error& error) {
     const Place place{origin, error.source().begin.line, error.source().begin.column};
-    throw ConfigurationError(fmt::format("{}: this is not TOML: {}", place.text(), error.description()));
+    throw ConfigurationError(fmt::format("{}: this is not TOML: {}", place.text(), explanation(error, toml)));
   }
 }
 
@@ -152,6 +192,8 @@ std::vector<Entry> read_entries(const std::filesystem::path& file) {
 }
 
 std::vector<Entry> read_option(const std::string& key, const std::string& value, const std::string& option) {
+  if (std::count(key.begin(), key.end(), '.') >= most_nesting || too_deep_at(value))
+    refuse_nesting(option.size() <= most_shown ? option : option.substr(0, most_shown) + "...");
   std::vector<Entry> entries;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1)) {
     Entry table;
@@ -164,6 +206,9 @@ std::vector<Entry> read_option(const std::string& key, const std::string& value,
     const std::string line = "value = " + value;
     values = read_entries(line, option);
   } catch (const ConfigurationError&) {
+    if (begins_as_toml(value))
+      throw ConfigurationError(fmt::format("{}: the value is no TOML: close every quote and bracket, and quote each text "
+                                           "of a list, such as [\"0.2 1/s\", \"0.1 1/s\"]", option));
     values.clear();
   }
   const bool one_value = !values.empty() && values.front().key == "value" &&

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -37,6 +38,8 @@ constexpr std::array units{
     Unit{"ns", dimension::time, 1.0, 1e9},
     Unit{"min", dimension::time, 60.0},
     Unit{"h", dimension::time, 3600.0},
+    Unit{"d", dimension::time, 86400.0},
+    Unit{"day", dimension::time, 86400.0},
     Unit{"Pa", dimension::stress},
     Unit{"kPa", dimension::stress, 1e3},
     Unit{"MPa", dimension::stress, 1e6},
@@ -51,18 +54,34 @@ constexpr std::array units{
     Unit{"%", dimension::dimensionless, 1.0, 1e2},
 };
 
+/// Spellings that are not taken, and the symbol to propose.
+struct Alias {
+  std::string_view spelling;
+  std::string_view symbol;
+};
+
+constexpr std::array aliases{
+    Alias{"sec", "s"},         Alias{"second", "s"},    Alias{"seconds", "s"},    Alias{"minute", "min"},
+    Alias{"minutes", "min"},   Alias{"hr", "h"},        Alias{"hour", "h"},       Alias{"hours", "h"},
+    Alias{"days", "day"},      Alias{"degree", "deg"},  Alias{"degrees", "deg"},  Alias{"\u00B0", "deg"},
+    Alias{"\u00B5m", "um"},    Alias{"\u03BCm", "um"},  Alias{"\u00B5s", "us"},   Alias{"\u03BCs", "us"},
+    Alias{"percent", "%"},     Alias{"meter", "m"},     Alias{"metre", "m"},      Alias{"pascal", "Pa"},
+    Alias{"newton", "N"},      Alias{"gram", "g"},      Alias{"ton", "t"},        Alias{"tonne", "t"},
+};
+
 struct Named {
   Dimension dimension;
   std::string_view name;
-  std::string_view unit;
+  std::string_view unit;     // SI
   std::string_view example;
+  std::string_view usual{};  // a unit that people have in mind when they write none; empty: the SI unit
 };
 
 constexpr std::array named{
     Named{dimension::dimensionless, "a number without unit", "", "0.25"},
-    Named{dimension::angle, "an angle", "rad", "5 deg"},
+    Named{dimension::angle, "an angle", "rad", "5 deg", "deg"},
     Named{dimension::mass, "a mass", "kg", "0.2 kg"},
-    Named{dimension::length, "a length", "m", "5 mm"},
+    Named{dimension::length, "a length", "m", "5 mm", "mm"},
     Named{dimension::time, "a time", "s", "5e-7 s"},
     Named{dimension::rate, "a rate", "1/s", "0.06 1/s"},
     Named{dimension::velocity, "a velocity", "m/s", "4e-5 m/s"},
@@ -70,10 +89,10 @@ constexpr std::array named{
     Named{dimension::area, "an area", "m^2", "0.04 m^2"},
     Named{dimension::volume, "a volume", "m^3", "0.001 m^3"},
     Named{dimension::density, "a density", "kg/m^3", "2650 kg/m^3"},
-    Named{dimension::unit_weight, "a unit weight", "N/m^3", "9.81 kN/m^3"},
+    Named{dimension::unit_weight, "a unit weight", "N/m^3", "9.81 kN/m^3", "kN/m^3"},
     Named{dimension::force, "a force", "N", "10 N"},
-    Named{dimension::stress, "a stress", "Pa", "3 kPa"},
-    Named{dimension::stress_rate, "a stress rate", "Pa/s", "1e3 kPa/min"},
+    Named{dimension::stress, "a stress", "Pa", "3 kPa", "kPa"},
+    Named{dimension::stress_rate, "a stress rate", "Pa/s", "1e3 kPa/min", "kPa/s"},
     Named{dimension::viscosity, "a viscosity", "Pa s", "1e-3 Pa s"},
     Named{dimension::mass_rate, "a mass rate", "kg/s", "0.03 kg/s"},
     Named{dimension::compressibility, "a compressibility", "1/Pa", "2e-7 1/Pa"},
@@ -96,8 +115,10 @@ const Unit& unit_named(std::string_view symbol, std::string_view text) {
     if (unit.symbol == symbol) return unit;
     symbols.emplace_back(unit.symbol);
   }
-  fail(text, fmt::format("has an unknown unit \"{}\"; {} Known units: {}", symbol,
-                         did_you_mean(symbol, symbols, "choose another."), fmt::join(symbols, " ")));
+  const auto alias = std::find_if(aliases.begin(), aliases.end(), [&](const Alias& a) { return a.spelling == symbol; });
+  const std::string proposed = alias != aliases.end() ? fmt::format("did you mean \"{}\"?", alias->symbol)
+                                                      : did_you_mean(symbol, symbols, "choose another.");
+  fail(text, fmt::format("has an unknown unit \"{}\"; {} Known units: {}", symbol, proposed, fmt::join(symbols, " ")));
 }
 
 /// Reads products of units behind a number.
@@ -125,7 +146,10 @@ class UnitReader {
   }
 
  private:
-  static bool is_symbol(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%'; }
+  /// Bytes beyond ASCII, too: no unit has one, but a message should show the whole symbol.
+  static bool is_symbol(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
+  }
 
   void skip_blanks() {
     while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t')) rest_.remove_prefix(1);
@@ -210,13 +234,31 @@ Quantity parse_quantity(std::string_view text) {
   return quantity;
 }
 
-double parse_quantity(std::string_view text, const Dimension& expected) {
+double parse_quantity(std::string_view text, const Dimension& expected, std::string_view likely_unit) {
   const Quantity quantity = parse_quantity(text);
-  if (!quantity.has_unit || quantity.dimension == expected) return quantity.value;
-  const std::string unit = unit_of(expected);
-  const std::string bare = unit.empty() ? "" : fmt::format(" or a bare number in {}", unit);
-  fail(text, fmt::format("is {}, but {} is expected, such as \"{}\"{}", name_of(quantity.dimension), name_of(expected),
-                         example_of(expected), bare));
+  if (quantity.has_unit && quantity.dimension != expected)
+    fail(text, fmt::format("is {}, but {} is expected, such as \"{}\"", name_of(quantity.dimension), name_of(expected),
+                           example_of(expected)));
+  if (!quantity.has_unit && needs_unit(quantity.value, expected)) {
+    const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+    fail(text, missing_unit(text.substr(first, last + 1 - first), quantity.value, expected, likely_unit));
+  }
+  return quantity.value;
+}
+
+bool needs_unit(double value, const Dimension& dimension) {
+  return dimension != dimension::dimensionless && std::isfinite(value) && value != 0.0;
+}
+
+std::string missing_unit(std::string_view number, double value, const Dimension& dimension,
+                         std::string_view likely_unit) {
+  const Named* found = find_named(dimension);
+  const std::string unit = unit_of(dimension);
+  if (likely_unit.empty() && found != nullptr) likely_unit = found->usual;
+  const std::string degrees =
+      dimension == dimension::angle ? fmt::format(" = {:.4g} deg", value * 180.0 / std::numbers::pi) : "";
+  const std::string likely = likely_unit.empty() ? "" : fmt::format("\"{} {}\" or ", number, likely_unit);
+  return fmt::format("has no unit: it would be {0} {1}{2}; write {3}\"{0} {1}\"", number, unit, degrees, likely);
 }
 
 }  // namespace flowslide

@@ -49,7 +49,7 @@ std::string unit_of(const Dimension& dimension);
 /// A quantity of that dimension as a user could write it, such as "3 kPa" (without the quotes).
 std::string example_of(const Dimension& dimension);
 
-/// A number in SI units with its dimension. `has_unit` is false for a bare number, which fits every dimension.
+/// A number in SI units with its dimension. `has_unit` is false for a bare number.
 struct Quantity {
   double value = 0.0;
   Dimension dimension;
@@ -57,15 +57,26 @@ struct Quantity {
 };
 
 /// Reads a number and its unit, if any: "3 kPa", "3kPa", "2650 kg/m^3", "1e3 kPa/min", "0.06 1/s", "25 %", "5e-7".
-/// Units are products of known symbols (kg g t, m cm mm um km, s ms us ns min h, Pa kPa MPa GPa, N mN kN, J, Hz,
+/// Units are products of known symbols (kg g t, m cm mm um km, s ms us ns min h d day, Pa kPa MPa GPa, N mN kN, J, Hz,
 /// deg rad, %) joined by "*", a blank or "/" (which divides by the next symbol only), each with an integer exponent
 /// such as "^-2".
 /// Rounds at most twice, so that "7.5 mm" and 0.0075 are the same number.
 /// Throws std::invalid_argument: the text, what is wrong with it, and the nearest known unit.
 Quantity parse_quantity(std::string_view text);
 
-/// The value of `text` in SI units. A bare number is taken as SI already. Throws std::invalid_argument when the text is
-/// no quantity or of another dimension: the text, the dimension expected with an example, and what was given.
-double parse_quantity(std::string_view text, const Dimension& expected);
+/// The value of `text` in SI units. Throws std::invalid_argument when the text is no quantity, is of another dimension
+/// (the text, the dimension expected with an example, and what was given) or lacks its unit (see needs_unit and
+/// missing_unit).
+double parse_quantity(std::string_view text, const Dimension& expected, std::string_view likely_unit = {});
+
+/// Whether a bare number is refused as a quantity of this dimension. 0 is the same in every unit; numbers that are not
+/// finite are left to the check of the range.
+bool needs_unit(double value, const Dimension& dimension);
+
+/// What is wrong with the bare number `number` (as written, of that value) and how to mend it, for a message:
+/// `has no unit: it would be 4 rad = 229.2 deg; write "4 deg" or "4 rad"`. `likely_unit` stands first; when empty, the
+/// unit that is usual for the dimension.
+std::string missing_unit(std::string_view number, double value, const Dimension& dimension,
+                         std::string_view likely_unit = {});
 
 }  // namespace flowslide

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <iostream>
 #include <optional>
 #include <thread>
 
@@ -65,6 +66,15 @@ std::optional<FileLock> wait_for(const SampleStore& store, const std::string& ke
     if (border) border([] { return false; });
     std::this_thread::sleep_for(time_between_tries);
   }
+}
+
+/// Makes the folder of the cache and says so. One that cannot be made is the store's to refuse.
+void say_if_new(const std::filesystem::path& cache, const ProgressStyle& style) {
+  std::error_code failure;
+  if (!std::filesystem::create_directories(cache, failure) || style.silent) return;
+  std::ostream& out = style.stream != nullptr ? *style.stream : std::cerr;
+  out << fmt::format("flowslide: prepared samples are kept in {}, a new folder; set FLOWSLIDE_CACHE to use another\n",
+                     std::filesystem::absolute(cache, failure).string());
 }
 
 PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
@@ -153,7 +163,10 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
                         const ProgressStyle& style, const PreparationBorder& border) {
   std::optional<SampleStore> store;
-  on_first_rank([&] { store.emplace(cache); });
+  on_first_rank([&] {
+    say_if_new(cache, style);
+    store.emplace(cache);
+  });
   if (!store) store.emplace(cache);  // the folder is there now
   const Trials trials{engine, *store, cache, style, border};
   FoundSample found;

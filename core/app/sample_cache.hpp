@@ -22,7 +22,8 @@ struct FoundSample {
 /// Void ratios and recipe of a sample, as numbers of a result.
 std::vector<Metric> metrics_of(const FoundSample& found);
 
-/// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder.
+/// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder. find_sample says where it is
+/// when it makes it.
 std::filesystem::path sample_cache_folder();
 
 /// Key of a recipe in the cache.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/tables.hpp"
 
+#include <algorithm>
+
 namespace flowslide {
 
 std::string Tables::key(const char* name) const {
@@ -12,7 +14,13 @@ std::string Tables::key(const char* name) const {
     if (found.empty()) found = candidate;
     else configuration_.override_by(candidate, found);
   }
-  return found.empty() ? tables_.names().back() + "." + name : found;
+  return found.empty() ? table_to_mend() + "." + name : found;
+}
+
+const std::string& Tables::table_to_mend() const {
+  const auto is_users = [&](const std::string& table) { return configuration_.is_users_table(table); };
+  const auto own = std::find_if(tables_.names().begin(), tables_.names().end(), is_users);
+  return own != tables_.names().end() ? *own : tables_.names().back();
 }
 
 void Tables::accept(std::initializer_list<const char*> names) const {

@@ -22,8 +22,8 @@ class TableNames {
   std::vector<std::string> names_;
 };
 
-/// The getters of Configuration for the keys of such tables: a key is read from the first table that has it, and one
-/// that is missing is missed in the last.
+/// The getters of Configuration for the keys of such tables: a key is read from the first table that has it. A message
+/// about a key that is missing names the first table that is the user's, or else the last.
 class Tables {
  public:
   /// `configuration` must outlive it.
@@ -52,6 +52,8 @@ class Tables {
   }
 
  private:
+  const std::string& table_to_mend() const;
+
   const Configuration& configuration_;
   TableNames tables_;
 };

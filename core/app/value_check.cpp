@@ -45,7 +45,8 @@ constexpr double largest_exact_integer = 9007199254740992.0;
 void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem, std::string_view mend) {
   const bool from_option = scalar.place.line == 0;  // then the place shows key and value already
   const std::string what = from_option ? "the value" : fmt::format("{} = {}", key, scalar.written);
-  throw ConfigurationError(fmt::format("{}: {} {}; {}", scalar.place.text(), what, problem, mend));
+  throw ConfigurationError(
+      fmt::format("{}: {} {}{}{}", scalar.place.text(), what, problem, mend.empty() ? "" : "; ", mend));
 }
 
 std::string wanted_quantity(const Dimension& dimension, const Range& range) {
@@ -55,10 +56,11 @@ std::string wanted_quantity(const Dimension& dimension, const Range& range) {
 
 double checked_quantity(std::string_view key, const Scalar& scalar, const Dimension& dimension, const Range& range) {
   double value = 0.0;
-  if (const auto* number = std::get_if<double>(&scalar.value)) {
-    value = *number;
-  } else if (const auto* integer = std::get_if<std::int64_t>(&scalar.value)) {
-    value = static_cast<double>(*integer);
+  const auto* number = std::get_if<double>(&scalar.value);
+  const auto* integer = std::get_if<std::int64_t>(&scalar.value);
+  if (number != nullptr || integer != nullptr) {
+    value = number != nullptr ? *number : static_cast<double>(*integer);
+    if (needs_unit(value, dimension)) refuse_value(key, scalar, missing_unit(scalar.written, value, dimension));
   } else if (const auto* text = std::get_if<std::string>(&scalar.value)) {
     try {
       value = parse_quantity(*text, dimension);

@@ -7,10 +7,6 @@
 namespace flowslide {
 namespace {
 
-/// A stored spring counts as capped within this relative distance of its cap: above the rounding of the scaling that
-/// put it there (some 1e-16, or 1e-7 by an engine with its law in float), below any physical difference.
-constexpr double cap_tolerance = 1e-6;
-
 double square(double x) { return x * x; }
 
 /// gamma = -2 sqrt(5/6) beta sqrt(S m*), kg/s.

@@ -36,6 +36,10 @@ struct ContactForce {
 /// fraction e of its velocity exactly, at any velocity (Antypov and Elliott 2011).
 double normal_force(const PairConstants& pair, double overlap, double separation_velocity);
 
+/// A stored spring counts as capped within this relative distance of its cap: above the rounding of the scaling that
+/// put it there (some 1e-16, or 1e-7 by an engine with its law in float), below any physical difference.
+inline constexpr double cap_tolerance = 1e-6;
+
 /// Force and torques of a contact from its history `tangential_spring` s (m) and `rolling_torque` M (N m).
 ///
 /// With v_t = v - (v.n) n - (c_1 w_1 + c_2 w_2) x n, c_i = R_i - delta/2, and w = w_1 - w_2 less its part along n:
@@ -52,7 +56,7 @@ double normal_force(const PairConstants& pair, double overlap, double separation
 ///
 /// advance_history = true does one step of `time_step` (s). false evaluates the force that belongs to a stored
 /// history, as it stood at the end of a step: neither s nor M is advanced, projected or changed, and as both were
-/// capped already, k_t |s| >= (1 - 1e-9) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its
+/// capped already, k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its
 /// cap acts with the cap.
 ContactForce evaluate_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                               const Vector3& tangential_spring, const Vector3& rolling_torque, double time_step,

@@ -169,7 +169,7 @@ TEST_F(CaseProgramTest, RunsEveryPointAndChecksTheClaims) {
   EXPECT_LT(outcome.provenance.processor_seconds, 10.0);
   EXPECT_CONTAINS(outcome.provenance.command_line, "tiny --seed 4 --output ");
   const Result result = read_result(out() / "a.h5");
-  EXPECT_CONTAINS(result.configuration, "seed = 4\nsize = 0.002  # m\n");
+  EXPECT_CONTAINS(result.configuration, "seed = 4\nsize = \"0.002 m\"\n");
   EXPECT_EQ(result.configuration_hash.size(), 32U);
 }
 
@@ -314,7 +314,8 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   const Outcome outcome = run({"--dry-run", "--point", "a", "--set", "size=1 cm"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(outcome.output.starts_with("# resolved configuration, hash ")) << outcome.output;
-  EXPECT_CONTAINS(outcome.output, "size = 0.01  # m\n");
+  EXPECT_CONTAINS(outcome.output, "count = 3\n");
+  EXPECT_CONTAINS(outcome.output, "size = \"0.01 m\"\n");
   EXPECT_CONTAINS(outcome.output, "# point a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");
   EXPECT_CONTAINS_NOT(outcome.output, "point b");
   EXPECT_TRUE(outcome.ran.empty());

@@ -147,6 +147,14 @@ TEST(CommandLine, HelpNamesEveryOptionWithExamplesAndExitCodes) {
   }
 }
 
+TEST(CommandLine, HelpNamesNoFigureWhereThereIsNone) {
+  const CaseDescription hard{"hard", "Hard scenes.", "1", {}, {"native"}};
+  const char* words[] = {"hard", "--help"};
+  const std::string help = message_of<FinishedEarly>([&] { parse(2, words, hard); });
+  EXPECT_CONTAINS(help, "Hard scenes.");
+  EXPECT_CONTAINS_NOT(help, "Draws");
+}
+
 TEST(CommandLine, VersionNamesCaseAndVersion) {
   EXPECT_EQ(message_of<FinishedEarly>([] { read({"--version"}); }), "fig03_undrained 0.1.0 (abc)\n");
 }
@@ -171,7 +179,10 @@ TEST(CommandLine, ReadsHowLongARunMayTake) {
   EXPECT_EQ(read({}).threads, 0);
   EXPECT_EQ(read({"--threads", "2"}).threads, 2);
   EXPECT_EQ(read({"--max-walltime", "1.5 h"}).max_walltime, 5400.0);
-  EXPECT_EQ(read({"--max-walltime", "90"}).max_walltime, 90.0);
+  EXPECT_EQ(complaint({"--max-walltime", "24"}),
+            "--max-walltime: \"24\" has no unit: it would be 24 s; write \"24 h\" or \"24 s\"");
+  EXPECT_EQ(complaint({"--checkpoint-interval", "3"}),
+            "--checkpoint-interval: \"3\" has no unit: it would be 3 s; write \"3 min\" or \"3 s\"");
   EXPECT_CONTAINS(complaint({"--max-walltime", "2 kPa"}), "--max-walltime: ");
   EXPECT_CONTAINS(complaint({"--max-walltime", "0"}), "is not above 0; write, for example, --max-walltime \"90 min\"");
   EXPECT_CONTAINS(complaint({"--checkpoint-interval", "inf"}), "--checkpoint-interval: ");

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/configuration.hpp"
 
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
 #include "app/error.hpp"
 #include "messages.hpp"
 
@@ -68,7 +74,7 @@ TEST_F(LayeredConfiguration, LaysOptionsOverAll) {
   EXPECT_EQ(stress_of(read("", "", {{"sample.confining_stress", "3kPa", "--set"}})), 3000.0);
   EXPECT_EQ(stress_of(read("", "", {{"sample.confining_stress", "\"3 kPa\"", "--set"}})), 3000.0);
   EXPECT_EQ(
-      stress_of(read("", "", {{"sample.confining_stress", "1", "--set"}, {"sample.confining_stress", "2", "--set"}})),
+      stress_of(read("", "", {{"sample.confining_stress", "1 Pa", "--set"}, {"sample.confining_stress", "2 Pa", "--set"}})),
       2.0);
 }
 
@@ -155,6 +161,32 @@ TEST(Configuration, NamesAMissingKeyAndWhatMayBeAMisspellingOfIt) {
   EXPECT_CONTAINS_NOT(message_of<ConfigurationError>([&] { c.flag("verbose"); }), "misspelling");
 }
 
+TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
+  const std::string mine = "\n[point.mine]\nfigures = '3'\n[sample]\nlayers = 3\n";
+  EXPECT_EQ(complaint([&] { read("quick", mine).text("point.mine.scheme"); }),
+            "user.toml:2:8: [point.mine] lacks the key \"point.mine.scheme\": text is needed; add it there or with --set "
+            "point.mine.scheme=VALUE");
+  EXPECT_CONTAINS(complaint([&] { read("quick", "point.mine = { a = 1 }").text("point.mine.scheme"); }),
+                  "user.toml:1:7: [point.mine] lacks");
+  EXPECT_CONTAINS(complaint([&] {
+                    read("", "", {{"point.mine.a", "1", "--set point.mine.a=1"}}).text("point.mine.scheme");
+                  }),
+                  "--set point.mine.a=1: [point.mine] lacks");
+  // A table of the case that the user's file goes on with is the case's.
+  EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("sample.shape"); }),
+                  "case.toml: the key \"sample.shape\" is missing");
+  EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("title"); }), "case.toml: the key \"title\" is missing");
+}
+
+TEST(Configuration, ProposesTheKeyOfASymbol) {
+  const auto c = Configuration::from_text("[slope]\nk = 1\n[loading]\nA = 2\n", "mine.toml");
+  c.has("slope.hydraulic_conductivity");
+  c.accept("loading.amplitude");
+  EXPECT_EQ(message_of<ConfigurationError>([&] { c.reject_unknown(); }),
+            "mine.toml:2:1: unknown key \"slope.k\"; did you mean \"slope.hydraulic_conductivity\"?\n"
+            "mine.toml:4:1: unknown key \"loading.A\"; did you mean \"loading.amplitude\"?");
+}
+
 TEST(Configuration, RefusesByARuleOverSeveralKeys) {
   const auto c = Configuration::from_text("dt = \"1 s\"\n", "case.toml");
   EXPECT_EQ(message_of<ConfigurationError>([&] { c.refuse("dt", "is above 0.65 Rayleigh times, 4e-6 s", "lower it"); }),
@@ -178,7 +210,7 @@ TEST(Configuration, KnowsWhatWasAcceptedOrAskedFor) {
 TEST(Configuration, ResolvesToSortedTomlInSiUnits) {
   const auto c = Configuration::from_text(
       "z = 'a \"b\"'\n[s]\nstress = '28.34 kPa'\nratio = '25 %'\nn = 3\non = true\nunread = 1\n"
-      "rates = ['1 mm/s', 2]\n[[p]]\nk = 1\n[[p]]\n");
+      "rates = ['1 mm/s', '2 m/s']\n[[p]]\nk = 1\n[[p]]\n");
   c.text("z");
   c.quantity("s.stress", dimension::stress);
   c.number("s.ratio");
@@ -192,9 +224,9 @@ TEST(Configuration, ResolvesToSortedTomlInSiUnits) {
             "p.1 = {}\n"
             "s.n = 3\n"
             "s.on = true\n"
-            "s.rates = [0.001, 2.0]  # m/s\n"
+            "s.rates = [\"0.001 m/s\", \"2.0 m/s\"]\n"
             "s.ratio = 0.25\n"
-            "s.stress = 28340.0  # Pa\n"
+            "s.stress = \"28340.0 Pa\"\n"
             "z = \"a \\\"b\\\"\"\n");
 }
 
@@ -214,15 +246,40 @@ TEST(Configuration, ResolvedTextReadsBackToItself) {
   EXPECT_EQ(read_all(Configuration::from_text(resolved)), resolved);
 }
 
+TEST(Configuration, ResolvedQuantitiesAreTheSameBits) {
+  std::mt19937_64 random(18);
+  for (const Dimension& dimension : {dimension::dimensionless, dimension::angle, dimension::mass, dimension::length,
+                                     dimension::time, dimension::rate, dimension::velocity, dimension::acceleration,
+                                     dimension::area, dimension::volume, dimension::density, dimension::unit_weight,
+                                     dimension::force, dimension::stress, dimension::stress_rate, dimension::viscosity,
+                                     dimension::mass_rate, dimension::compressibility, dimension::energy,
+                                     Dimension{1, -2, 3, -1}}) {
+    const auto read = [&](const std::string& text) {
+      const auto c = Configuration::from_text(text);
+      std::vector<double> values = c.quantities("list", dimension);
+      values.push_back(c.quantity("one", dimension));
+      return std::pair(values, c.resolved());
+    };
+    for (int i = 0; i < 200; ++i) {
+      const auto value = std::bit_cast<double>(random());
+      if (!std::isfinite(value)) continue;
+      const std::string written = fmt::format("{} {}", value, unit_of(dimension));
+      const auto [values, resolved] = read(fmt::format("one = '{0}'\nlist = ['{0}', 0, '{0}']\n", written));
+      EXPECT_EQ(values, (std::vector{value, 0.0, value, value})) << written;
+      EXPECT_EQ(read(resolved), std::pair(values, resolved));
+    }
+  }
+}
+
 TEST(Configuration, HashFollowsTheValuesNotTheirSpelling) {
   const auto hash = [](const std::string& text) {
     const auto c = Configuration::from_text(text);
     c.quantity("s.stress", dimension::stress);
     return c.hash();
   };
-  EXPECT_EQ(hash("[s]\nstress = '28.34 kPa'"), hash("# other\ns = { stress = 28340 }"));
+  EXPECT_EQ(hash("[s]\nstress = '28.34 kPa'"), hash("# other\ns = { stress = '28340 Pa' }"));
   EXPECT_NE(hash("[s]\nstress = '28.34 kPa'"), hash("[s]\nstress = '28.341 kPa'"));
-  EXPECT_EQ(hash("s.stress = 1").size(), 32U);
+  EXPECT_EQ(hash("s.stress = '1 Pa'").size(), 32U);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ friction = "50 %"
 layers = 20
 rolling = false
 engine = "native"
-rates = ["1e-4 1/s", 2]
+rates = ["1e-4 1/s", "2 1/s"]
 lattice = [20, 20, 22]
 empty = []
 names = ["a", "b"]
@@ -52,9 +52,14 @@ TEST(ConfigurationValues, TakeASingleValueAsAListOfOne) {
 
 TEST(ConfigurationValues, PointAtTheItemThatIsWrong) {
   EXPECT_CONTAINS(complaint([] { sample().quantities("rates", dimension::rate, Range::below(1)); }),
-                  "case.toml:6:22: rates = 2 is not allowed: it must be below 1 1/s");
+                  "case.toml:6:22: rates = \"2 1/s\" is not allowed: it must be below 1 1/s");
   EXPECT_CONTAINS(complaint([] { sample().integers("lattice", Range::at_least(21)); }), "case.toml:7:12: ");
   EXPECT_CONTAINS(complaint([] { sample().texts("names", {"b", "c"}); }), "case.toml:9:10: names = \"a\"");
+}
+
+TEST(ConfigurationValues, PointAtTheItemThatHasNoUnit) {
+  EXPECT_EQ(complaint([] { sample().quantities("lattice", dimension::rate); }),
+            "case.toml:7:12: lattice = 20 has no unit: it would be 20 1/s; write \"20 1/s\"");
 }
 
 TEST(ConfigurationValues, RefuseAnEmptyList) {

@@ -12,11 +12,11 @@ namespace flowslide {
 namespace {
 
 constexpr const char* text = R"([slope]
-saturated_density = 2000
-dry_density = 1500
-thickness = 2
-liquefiable_thickness = 0.2
-water_table = 0.2
+saturated_density = "2000 kg/m^3"
+dry_density = "1500 kg/m^3"
+thickness = "2 m"
+liquefiable_thickness = "0.2 m"
+water_table = "0.2 m"
 angle = "5 deg"
 hydraulic_conductivity = "1e-3 m/s"
 [loading]
@@ -81,8 +81,8 @@ TEST(ReadLoading, TakesEveryHistory) {
   const auto rate = std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"1e3 kPa/min\""));
   EXPECT_NEAR(rate.rate, 1e6 / 60.0, 1e-9);  // rounding
   EXPECT_TRUE(std::isinf(rate.duration));
-  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = 100\nduration = \"3 s\"")).duration, 3.0);
-  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = -100\nfinal_change = -500")).duration, 5.0);
+  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"100 Pa/s\"\nduration = \"3 s\"")).duration, 3.0);
+  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"-100 Pa/s\"\nfinal_change = \"-500 Pa\"")).duration, 5.0);
 }
 
 TEST(ReadLoading, TakesATableFromItsFolder) {
@@ -95,13 +95,13 @@ TEST(ReadLoading, TakesATableFromItsFolder) {
 
 TEST(ReadLoading, RefusesWhatIsNoLoading) {
   EXPECT_CONTAINS(loading_complaint("history = \"puls\""), "did you mean \"pulse\"?");
-  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = 1\nduration = 0"),
+  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"1 Pa\"\nduration = 0"),
                   "case.toml:4:12: loading.duration = 0 is not allowed: it must be above 0 s");
-  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = 1\nduration = \"-2 s\""), "above 0 s");
-  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"3 m\"\nduration = 2"), "amplitude");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 100\nfinal_change = -500"), "is never reached");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 0\nfinal_change = 500"), "never reached at the rate 0");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 1\nfinal_change = 5\nduration = 1"),
+  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"1 Pa\"\nduration = \"-2 s\""), "above 0 s");
+  EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"3 m\"\nduration = \"2 s\""), "amplitude");
+  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = \"100 Pa/s\"\nfinal_change = \"-500 Pa\""), "is never reached");
+  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 0\nfinal_change = \"500 Pa\""), "never reached at the rate 0");
+  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = \"1 Pa/s\"\nfinal_change = \"5 Pa\"\nduration = \"1 s\""),
                   "duration is given as well");
   EXPECT_CONTAINS(loading_complaint("history = \"table\"\nfile = \"nowhere.txt\""), "nowhere.txt");
 }
@@ -137,7 +137,7 @@ rested_strain = 0.2)"));
   EXPECT_EQ(settings.rest->normal_stress, 30.0);
   EXPECT_EQ(settings.rest->probed_strain, 0.01);
   EXPECT_EQ(settings.rest->rested_strain, 0.2);
-  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nrest_stress = 30"), "coupling.probed_strain");
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nrest_stress = \"30 Pa\""), "coupling.probed_strain");
   EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nstress_interval = 0"), "coupling.stress_interval");
 }
 
@@ -229,7 +229,7 @@ TEST(ReadStop, TakesWhatThereIs) {
   EXPECT_EQ(all.end_time, 10.0);
   EXPECT_EQ(all.end_shear_strain, 5.0);
   EXPECT_EQ(all.sliding_velocity, 0.01);
-  const StopConditions one = read_stop(Configuration::from_text("[s]\nend_time = 3\n"), "s");
+  const StopConditions one = read_stop(Configuration::from_text("[s]\nend_time = \"3 s\"\n"), "s");
   EXPECT_TRUE(std::isinf(one.end_shear_strain) && std::isinf(one.sliding_velocity));
   const std::string message = message_of<ConfigurationError>([] { read_stop(with("\"10 s\"", "0"), "stop"); });
   EXPECT_CONTAINS(message, "stop.end_time = 0 is not allowed: it must be above 0 s");

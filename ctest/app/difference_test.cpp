@@ -7,11 +7,11 @@ namespace flowslide {
 namespace {
 
 TEST(Difference, NamesWhatChanged) {
-  const char* there = "count = 3\nengine = \"native\"\nsize = 0.002  # m\n";
+  const char* there = "count = 3\nengine = \"native\"\nsize = \"0.002 m\"\n";
   EXPECT_EQ(difference_of(there, there), "");
-  EXPECT_EQ(difference_of(there, "count = 4\nengine = \"native\"\nsize = 0.003  # m\n"),
-            "count = 3 there, 4 now; size = 0.002 there, 0.003 now");
-  EXPECT_EQ(difference_of(there, "engine = \"native\"\nsize = 0.002  # m\nwidth = 1\n"),
+  EXPECT_EQ(difference_of(there, "count = 4\nengine = \"native\"\nsize = \"0.003 m\"\n"),
+            "count = 3 there, 4 now; size = \"0.002 m\" there, \"0.003 m\" now");
+  EXPECT_EQ(difference_of(there, "engine = \"native\"\nsize = \"0.002 m\"\nwidth = 1\n"),
             "count = 3 is only there; width = 1 is new");
 }
 

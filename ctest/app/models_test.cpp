@@ -120,7 +120,7 @@ TEST(ReadMaterial, RefusesWhatNoGrainHas) {
 TEST(ReadSamples, MayChangeGrainsAndPreparationOfOneSample) {
   const auto samples = samples_of(with("preparation_friction = 0.3", R"(preparation_friction = 0.3
 packing.lattice = [6, 6, 6]
-preparation.time_step = 5e-6
+preparation.time_step = "5e-6 s"
 material.youngs_modulus = "8 GPa")"));
   EXPECT_EQ(samples[1].recipe.packing.counts, (std::array{6, 6, 6}));
   EXPECT_EQ(samples[1].recipe.time_step, 5e-6);
@@ -128,8 +128,8 @@ material.youngs_modulus = "8 GPa")"));
   EXPECT_EQ(samples[1].recipe.material.poisson_ratio, 0.25);
   EXPECT_EQ(samples[0].recipe.packing.counts, (std::array{4, 5, 6}));
   EXPECT_EQ(samples[0].recipe.material.youngs_modulus, 2e9);
-  EXPECT_CONTAINS(complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = 1e-3"),
-                  "sample.isotropic.preparation.time_step = 1e-3 is too long");
+  EXPECT_CONTAINS(complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = \"1 ms\""),
+                  "sample.isotropic.preparation.time_step = \"1 ms\" is too long");
 }
 
 TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
@@ -244,13 +244,13 @@ TEST(CheckTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
   // Rayleigh time by hand: pi R sqrt(rho / G) / (0.1631 nu + 0.8766), R = 2.5 mm, G = E / (2 (1 + nu)) = 0.8 GPa.
   const double rayleigh = std::numbers::pi * 2.5e-3 * std::sqrt(2650 / 0.8e9) / (0.1631 * 0.25 + 0.8766);
   const auto check = [](double time_step) {
-    const std::string table = fmt::format("[shear]\ntime_step = {}\n", time_step);
+    const std::string table = fmt::format("[shear]\ntime_step = \"{} s\"\n", time_step);
     const auto configuration = Configuration::from_text(table, "case.toml");
     check_time_step(configuration, "shear.time_step", 5e-3, Material{});
   };
   EXPECT_NO_THROW(check(0.6499 * rayleigh));
   const std::string message = message_of<ConfigurationError>([&] { check(0.6501 * rayleigh); });
-  EXPECT_CONTAINS(message, "case.toml:2:13: shear.time_step = 1.01");
+  EXPECT_CONTAINS(message, "case.toml:2:13: shear.time_step = \"1.01");
   EXPECT_CONTAINS(message, "at most 1.01e-05 s, which is 0.65 of the Rayleigh time");
   EXPECT_CONTAINS(message, "choose a smaller step");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(-1e-6); }), "it must be above 0 s");

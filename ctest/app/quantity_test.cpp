@@ -46,17 +46,33 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"5 deg", dimension::angle, 5.0 * std::numbers::pi / 180.0}, Case{"10 N", dimension::force, 10.0},
         Case{"10 kg*m/s^2", dimension::force, 10.0}, Case{"1e-3 Pa s", dimension::viscosity, 1e-3},
         Case{"-4 kPa", dimension::stress, -4000.0}, Case{"+4 kPa", dimension::stress, 4000.0},
-        Case{"2 s^-1", dimension::rate, 2.0}));
+        Case{"2 s^-1", dimension::rate, 2.0}, Case{"1 d", dimension::time, 86400.0},
+        Case{"864 mm/day", dimension::velocity, 1e-5}));
 
-TEST(Quantity, TakesABareNumberAsSI) {
-  EXPECT_EQ(parse_quantity("28340", dimension::stress), 28340.0);
+TEST(Quantity, SaysWhetherThereIsAUnit) {
   EXPECT_FALSE(parse_quantity("28340").has_unit);
   EXPECT_TRUE(parse_quantity("25 %").has_unit);
 }
 
+TEST(Quantity, RefusesABareNumberWithTheReadingsThatItCouldHave) {
+  EXPECT_EQ(complaint("4", dimension::angle),
+            "\"4\" has no unit: it would be 4 rad = 229.2 deg; write \"4 deg\" or \"4 rad\"");
+  EXPECT_EQ(complaint(" 2 ", dimension::stress), "\" 2 \" has no unit: it would be 2 Pa; write \"2 kPa\" or \"2 Pa\"");
+  EXPECT_EQ(complaint("5e-7", dimension::time), "\"5e-7\" has no unit: it would be 5e-7 s; write \"5e-7 s\"");
+  EXPECT_EQ(message_of<std::invalid_argument>([] { parse_quantity("24", dimension::time, "h"); }),
+            "\"24\" has no unit: it would be 24 s; write \"24 h\" or \"24 s\"");
+  EXPECT_CONTAINS(complaint("2", {1, -2, 0, 0}), "it would be 2 kg m^-2; write \"2 kg m^-2\"");
+}
+
+TEST(Quantity, TakesABareZeroAndBareNumbersWhereThereIsNoUnit) {
+  EXPECT_EQ(parse_quantity("0", dimension::stress), 0.0);
+  EXPECT_EQ(parse_quantity("-0.0", dimension::angle), 0.0);
+  EXPECT_EQ(parse_quantity("0.25", dimension::dimensionless), 0.25);
+}
+
 TEST(Quantity, NamesTextExpectedAndGivenWhenTheDimensionIsWrong) {
   EXPECT_EQ(complaint("3 m", dimension::stress),
-            "\"3 m\" is a length, but a stress is expected, such as \"3 kPa\" or a bare number in Pa");
+            "\"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
   EXPECT_EQ(complaint("3 m", dimension::dimensionless),
             "\"3 m\" is a length, but a number without unit is expected, such as \"0.25\"");
   EXPECT_CONTAINS(complaint("3 kg^2", dimension::stress), "is a quantity in kg^2, but a stress");
@@ -69,7 +85,10 @@ TEST(Quantity, KeepsAnglesApartFromRatios) {
 
 TEST(Quantity, ProposesTheNearestUnit) {
   EXPECT_CONTAINS(complaint("3 kpa", dimension::stress), "unknown unit \"kpa\"; did you mean \"kPa\"?");
-  EXPECT_CONTAINS(complaint("3 sec", dimension::time), "unknown unit \"sec\"");
+  EXPECT_CONTAINS(complaint("3 sec", dimension::time), "unknown unit \"sec\"; did you mean \"s\"?");
+  EXPECT_CONTAINS(complaint("3 hours", dimension::time), "did you mean \"h\"?");
+  EXPECT_CONTAINS(complaint("5 \u00B0", dimension::angle), "unknown unit \"\u00B0\"; did you mean \"deg\"?");
+  EXPECT_CONTAINS(complaint("5 \u00B5m", dimension::length), "did you mean \"um\"?");
 }
 
 TEST(Quantity, RefusesWhatIsNoQuantity) {

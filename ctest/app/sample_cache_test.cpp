@@ -66,6 +66,19 @@ TEST_F(SampleCache, PreparesASampleAndKeepsIt) {
   EXPECT_EQ(files()[0].stem(), cache_key(easy.recipe, "block 1"));
 }
 
+TEST_F(SampleCache, SaysOnceWhereItIsWhenItIsNew) {
+  ElasticBlock engine;
+  std::ostringstream out;
+  ProgressStyle style;
+  style.stream = &out;
+  find_sample(engine, easy, folder(), style);
+  EXPECT_TRUE(out.str().starts_with("flowslide: prepared samples are kept in " + folder().string() +
+                                    ", a new folder; set FLOWSLIDE_CACHE to use another\n")) << out.str();
+  out.str("");
+  find_sample(engine, easy, folder(), style);
+  EXPECT_EQ(out.str(), "");
+}
+
 TEST_F(SampleCache, FindsItAgainWithoutAStep) {
   ElasticBlock first, second;
   const FoundSample made = find(first), found = find(second);

@@ -99,7 +99,7 @@ TEST_F(SlideProgram, PlansWithoutWriting) {
 }
 
 TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
-  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
+  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
                  "point.RD.profile_strains=[0]"}), 0) << error_;
   const Result result = read_result(output() / "RD_r2.h5");
   EXPECT_EQ(result.provenance.engine, "native");
@@ -109,7 +109,7 @@ TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
   error_.clear();  // its sample is in the cache, and prepared no more
   ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--prepare"}), 0);
   EXPECT_EQ(error_, "");
-  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
+  ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
                  "point.RD.profile_strains=[0]", "--check"}), 0) << error_;
   EXPECT_TRUE(fs::exists(output() / "RD_profiles_band.dat"));
 }
@@ -134,9 +134,9 @@ TEST_F(SlideProgram, StartsGrainsLinear) {
   // The same sample by the same steps: only the field that it starts from differs, and with it the first stress.
   const auto first_stress = [&](const std::string& linear) {
     std::filesystem::remove_all(output());
-    EXPECT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3", "--set",
-                   "rows.row_interval=1e-3", "--set", "coupling.linear_start=" + linear, "--set",
-                   "coupling.initial_velocity=0.1"}), 0) << error_;
+    EXPECT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
+                   "rows.row_interval=1 ms", "--set", "coupling.linear_start=" + linear, "--set",
+                   "coupling.initial_velocity=10 cm/s"}), 0) << error_;
     return read_result(output() / "RD_r2.h5").series.column("shear_stress").values.at(1);
   };
   EXPECT_NE(first_stress("true"), first_stress("false"));
@@ -149,8 +149,9 @@ TEST_F(SlideProgram, RefusesWhatNoSlideHas) {
   const std::vector<std::pair<std::string, std::string>> all{
       {"coupling.time_step = 0", "must be above 0 s"},
       {"coupling.time_step = nan", "must be above 0 s"},
+      {"coupling.time_step = 1e-4", "has no unit: it would be 1e-4 s; write \"1e-4 s\""},
       {"coupling.n_accum = 0", "must be between 1 and"},
-      {"slope.hydraulic_conductivity = -1e-9", "must be at least 0 m/s"},
+      {"slope.hydraulic_conductivity = '-1e-9 m/s'", "must be at least 0 m/s"},
       {"loading.duration = 0", "must be above 0 s"},
       {"slope.angle = '30 deg'", "a sample of friction 0.5 bears less than 0.5"},
       {table("empty.txt", ""), "the loading table is empty"},
@@ -167,10 +168,10 @@ TEST_F(SlideProgram, RefusesWhatNoSlideHas) {
 
 TEST_F(SlideProgram, RefusesUnstableStepsUnlessToldOtherwise) {
   // omega = sqrt(G/(h_s m)) with G = 40 MPa: 2/omega = 7.87e-3 s.
-  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3"}), 2);
+  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8 ms"}), 2);
   EXPECT_CONTAINS(error_, "2/omega, allows at most 0.00787 s");
   EXPECT_CONTAINS(error_, "--allow-unstable");
-  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8e-3", "--allow-unstable"}), 0) << error_;
+  EXPECT_EQ(run({"--list", "--set", "coupling.time_step=8 ms", "--allow-unstable"}), 0) << error_;
 }
 
 }  // namespace

@@ -10,15 +10,15 @@ inline std::string slide_case_text() {
 seed = 1
 replicates = 3
 [slope]
-saturated_density = 2000
-dry_density = 1500
-thickness = 2
-liquefiable_thickness = 0.2
-water_table = 0.2
+saturated_density = "2000 kg/m^3"
+dry_density = "1500 kg/m^3"
+thickness = "2 m"
+liquefiable_thickness = "0.2 m"
+water_table = "0.2 m"
 angle = "5 deg"
 hydraulic_conductivity = 0
 [material]
-density = 2650
+density = "2650 kg/m^3"
 youngs_modulus = "2 GPa"
 poisson_ratio = 0.25
 restitution = 0.8
@@ -32,10 +32,10 @@ smallest_diameter = "5 mm"
 largest_diameter = "7.5 mm"
 [preparation]
 engine = "native"
-time_step = 1e-5
+time_step = "1e-5 s"
 loose_void_ratio = 1.2
-compaction_rate = 2
-servo_rates = [0.2, 0.1, 0.05]
+compaction_rate = "2 1/s"
+servo_rates = ["0.2 1/s", "0.1 1/s", "0.05 1/s"]
 servo_interval = 30
 stress_tolerance = 5e-3
 kinetic_tolerance = 1e-8
@@ -44,12 +44,12 @@ void_ratio = 0.79
 tolerance = 0.2
 most_trials = 1
 preparation_friction = 0.5
-drag = 0.06
+drag = "0.06 kg/s"
 isotropic = false
 [coupling]
-time_step = 1e-4
+time_step = "1e-4 s"
 n_accum = 10
-local_time_step = 1e-5
+local_time_step = "1e-5 s"
 most_steps = 100000
 consolidation = "exponential"
 residual = "fades"

@@ -46,6 +46,18 @@ TEST(Tables, MissAKeyInTheLast) {
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.positive("rate", dimension::rate); }), "coupling.rate");
 }
 
+TEST(Tables, MissAKeyInTheFirstThatIsTheUsers) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.toml", text);
+  const auto own = folder.write("mine.toml", "[point.mine]\nfigures = '3'\n[scheme.mine]\nn_accum = 3\n");
+  const Configuration configuration(Layers{file, "", own, {}});
+  const Tables tables(configuration, {"point.mine.coupling", "scheme.mine", "coupling"});
+  EXPECT_EQ(tables.integer("n_accum", Range::positive()), 3);
+  EXPECT_EQ(tables.number("time_step", Range::positive()), 1e-4);
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.positive("rate", dimension::rate); }),
+                  "mine.toml:3:9: [scheme.mine] lacks the key \"scheme.mine.rate\": a rate, above 0 1/s is needed");
+}
+
 TEST(Tables, NameTheTableOfAValueThatIsRefused) {
   const auto configuration = Configuration::from_text(text);
   const Tables tables(configuration, {"point.near.coupling", "coupling"});

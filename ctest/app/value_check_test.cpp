@@ -16,10 +16,24 @@ std::string complaint(Call&& call) {
   return message_of<ConfigurationError>(std::forward<Call>(call));
 }
 
-TEST(CheckedQuantity, TakesNumbersIntegersAndTexts) {
-  EXPECT_EQ(checked_quantity("a", scalar(3.5, "3.5"), dimension::stress, Range::any()), 3.5);
-  EXPECT_EQ(checked_quantity("a", scalar(std::int64_t{3}, "3"), dimension::stress, Range::any()), 3.0);
+TEST(CheckedQuantity, TakesTextsWithUnitsAndBareNumbersWithoutDimension) {
+  EXPECT_EQ(checked_quantity("a", scalar(3.5, "3.5"), dimension::dimensionless, Range::any()), 3.5);
+  EXPECT_EQ(checked_quantity("a", scalar(std::int64_t{3}, "3"), dimension::dimensionless, Range::any()), 3.0);
+  EXPECT_EQ(checked_quantity("a", scalar(std::int64_t{0}, "0"), dimension::stress, Range::any()), 0.0);
   EXPECT_EQ(checked_quantity("a", scalar("3 kPa", "\"3 kPa\""), dimension::stress, Range::any()), 3000.0);
+}
+
+TEST(CheckedQuantity, RefusesABareNumberThatNeedsAUnit) {
+  const Range allowed = Range::between(0.0, 1.5);
+  EXPECT_EQ(complaint([&] { checked_quantity("slope.angle", scalar(std::int64_t{4}, "4"), dimension::angle, allowed); }),
+            "case.toml:3:7: slope.angle = 4 has no unit: it would be 4 rad = 229.2 deg; write \"4 deg\" or \"4 rad\"");
+  EXPECT_EQ(complaint([&] { checked_quantity("a", scalar(2.5, "2.5"), dimension::stress, Range::any()); }),
+            "case.toml:3:7: a = 2.5 has no unit: it would be 2.5 Pa; write \"2.5 kPa\" or \"2.5 Pa\"");
+  EXPECT_EQ(complaint([&] { checked_quantity("a", scalar("2", "\"2\""), dimension::stress, Range::any()); }),
+            "case.toml:3:7: a: \"2\" has no unit: it would be 2 Pa; write \"2 kPa\" or \"2 Pa\"");
+  const Scalar option{std::int64_t{2}, {"--set loading.amplitude=2", 0, 0}, "2"};
+  EXPECT_EQ(complaint([&] { checked_quantity("loading.amplitude", option, dimension::stress, Range::any()); }),
+            "--set loading.amplitude=2: the value has no unit: it would be 2 Pa; write \"2 kPa\" or \"2 Pa\"");
 }
 
 TEST(CheckedQuantity, SaysPlaceKeyValueAndRange) {
@@ -41,7 +55,7 @@ TEST(CheckedQuantity, RefusesInfinityWhateverTheRange) {
 TEST(CheckedQuantity, SaysPlaceAndKeyWithAWrongDimension) {
   EXPECT_EQ(
       complaint([] { checked_quantity("a", scalar("3 m", "\"3 m\""), dimension::stress, Range::any()); }),
-      "case.toml:3:7: a: \"3 m\" is a length, but a stress is expected, such as \"3 kPa\" or a bare number in Pa");
+      "case.toml:3:7: a: \"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
 }
 
 TEST(CheckedQuantity, SaysWhatTypeIsWanted) {
