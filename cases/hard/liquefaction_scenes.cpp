@@ -51,13 +51,13 @@ SceneRecord resolidification_scene(const Workshop& workshop) {
     course.stress /= time;
     return course;
   };
-  const Course right = follow("time_step = 5e-5\nlocal_time_step = 3e-6\n");
+  const Course right = follow("time_step = \"5e-5 s\"\nlocal_time_step = \"3e-6 s\"\n");
   SceneRecord record;
   for (const char* passing : {"carry_remainder", "variable_time_step"}) {
     Course course;
     record.trials.push_back(
         attempt(fmt::format("tau after the pulse, {}, Pa", passing), relative(right.stress, 0.05, 0.2), [&] {
-          course = follow(fmt::format("passing = \"{}\"\nlocal_time_step = 6e-6\n", passing));
+          course = follow(fmt::format("passing = \"{}\"\nlocal_time_step = \"6e-6 s\"\n", passing));
           return course.stress;
         }));
     record.trials.push_back(attempt(fmt::format("least p_w, {}, Pa", passing),

@@ -30,8 +30,8 @@ double pressure_left(const Workshop& workshop, double conductivity, double time_
   SlopeProperties slope = workshop.suite().slope;
   slope.hydraulic_conductivity = conductivity;
   const SlideSettings settings = workshop.slide(
-      fmt::format("{}time_step = {}\nconsolidation = \"{}\"\nresidual = \"left_out\"\nshear_modulus = {}\n"
-                  "oedometric_modulus = {}\n",
+      fmt::format("{}time_step = \"{} s\"\nconsolidation = \"{}\"\nresidual = \"left_out\"\nshear_modulus = \"{} Pa\"\n"
+                  "oedometric_modulus = \"{} Pa\"\n",
                   told_at_once, time_step, scheme, shear_modulus, bound),
       "", slope);
   ElasticSample sample = elastic_sample(slope, 0.96);
@@ -52,8 +52,8 @@ SceneRecord sliding_edge_scene(const Workshop& workshop) {
   for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999, 1.001, 1.01, 1.1, 2.0, 10.0}) {
     const auto swing = [&] {
       const SlideSettings settings = workshop.slide(
-          fmt::format("{}time_step = {}\nshear_modulus = {}\n", told_at_once, share * edge, shear_modulus),
-          fmt::format("history = \"constant\"\nchange = {}\n", change), slope);
+          fmt::format("{}time_step = \"{} s\"\nshear_modulus = \"{} Pa\"\n", told_at_once, share * edge, shear_modulus),
+          fmt::format("history = \"constant\"\nchange = \"{} Pa\"\n", change), slope);
       ElasticSample sample = elastic_sample(slope, 1.0);
       Slide slide(settings, sample);
       double largest = 0.0;
@@ -104,7 +104,7 @@ SceneRecord drained_grains_scene(const Workshop& workshop) {
             fmt::format("grains, k = {:.0e} m/s, dt_G = {:.0e} s, {}", conductivity, step, scheme),
             {1.0, 0.01, 0.9, 1.1, beyond && std::string(scheme) == "euler" ? "unstable" : ""}, [&] {
               const SlideSettings settings =
-                  workshop.slide(fmt::format("time_step = {}\nconsolidation = \"{}\"\n", step, scheme), "", slope);
+                  workshop.slide(fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
               return slide_on_grains(workshop, sample, settings, {.end_time = 0.1}, false).stress.normal / normal;
             }));
       }

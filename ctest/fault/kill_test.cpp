@@ -50,7 +50,7 @@ TEST_F(Kill, FiftyTimesASlideOnGrains) { expect_same_after(50, "RD", {"--engine"
 TEST_F(Kill, TwentyTimesAnElementTest) { expect_same_after(20, "alone", {"--engine", "native"}); }
 
 TEST_F(Kill, TwentyTimesASlideOnAClosedFormSample) {
-  expect_same_after(20, "RI", {"--set", "stop.end_time=4", "--set", "coupling.time_step=1e-5"});
+  expect_same_after(20, "RI", {"--set", "stop.end_time=4 s", "--set", "coupling.time_step=1e-5 s"});
 }
 
 }  // namespace

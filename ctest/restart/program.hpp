@@ -19,8 +19,8 @@ class ProgramTest : public testing::Test {
  protected:
   ProgramTest() {
     std::string text = slide_case_text();  // its small sample jams in slides that go on for long: a step that bears that
-    for (std::size_t at = 0; (at = text.find("time_step = 1e-5")) != std::string::npos;)
-      text.replace(at, std::string("time_step = 1e-5").size(), "time_step = 5e-6");
+    for (std::size_t at = 0; (at = text.find("time_step = \"1e-5 s\"")) != std::string::npos;)
+      text.replace(at, std::string("time_step = \"1e-5 s\"").size(), "time_step = \"5e-6 s\"");
     scratch_.write("case.toml", text + R"([point.alone]
 figures = "12"
 sample = "loose"
@@ -34,7 +34,7 @@ rows.row_interval = "5 ms"
 rows.row_strain = 0.01
 rows.most_rows = 400
 stop.end_time = "0.2 s"
-coupling.initial_velocity = 0.5
+coupling.initial_velocity = "0.5 m/s"
 point.RD.profile_strains = [0.05, 0.2]
 )");
     scratch_.write("claims.toml", "");
@@ -57,7 +57,7 @@ point.RD.profile_strains = [0.05, 0.2]
     return code;
   }
   int run_for(double seconds, const std::string& folder, Words options) {
-    options.insert(options.end(), {"--max-walltime", std::to_string(seconds)});
+    options.insert(options.end(), {"--max-walltime", std::to_string(seconds) + " s"});
     return run(folder, options);
   }
   /// Starts a run and waits until it has kept a checkpoint.

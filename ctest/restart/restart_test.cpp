@@ -71,7 +71,7 @@ TEST_F(Restart, ASecondInterruptEndsAtOnce) {
   ASSERT_EQ(run("whole", {"--engine", "native", "--point", "alone"}), 0) << said_;  // its sample is there from now on
   // A test whose rows, at which it may end, are far apart: many seconds.
   const Words long_test{"--engine", "native", "--point", "alone", "--set", "element_test.rows=10", "--set",
-                        "point.alone.final_strain=100", "--set", "coupling.local_time_step=1e-7"};
+                        "point.alone.final_strain=100", "--set", "coupling.local_time_step=1e-7 s"};
   Process process(command("out", long_test), scratch_.path() / "out.said");
   std::this_thread::sleep_for(std::chrono::seconds(1));
   process.signal(SIGINT);
@@ -83,7 +83,7 @@ TEST_F(Restart, ASecondInterruptEndsAtOnce) {
 }
 
 TEST_F(Restart, ASlideOnAClosedFormSampleGoesOnWithTheSameBits) {
-  expect_same_after_stops("RI", {"--set", "stop.end_time=8", "--set", "coupling.time_step=1e-5"});
+  expect_same_after_stops("RI", {"--set", "stop.end_time=8 s", "--set", "coupling.time_step=1e-5 s"});
 }
 
 /// The sample with a cache of its own, in which it is prepared.
@@ -121,7 +121,7 @@ TEST_F(RestartPreparation, GoesOnWithTheSameBits) {
 TEST_F(RestartPreparation, RemembersTrialsThatFailed) {
   // At sigma_0, grains that soft overlap by more than spheres may.
   Words options = options_;
-  options.insert(options.end(), {"--set", "material.youngs_modulus=1e6", "--set", "sample.loose.most_trials=1"});
+  options.insert(options.end(), {"--set", "material.youngs_modulus=1 MPa", "--set", "sample.loose.most_trials=1"});
   EXPECT_EQ(run("out", options), 3);
   EXPECT_CONTAINS(said_, "trial 1: failed: ");
   ASSERT_NE(said_.rfind("flowslide: "), std::string::npos) << said_;
@@ -148,7 +148,7 @@ TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {
 }
 
 TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
-  const Words options{"--engine", "native", "--point", "RD", "--set", "stop.end_time=1e4"};  // goes on for ever
+  const Words options{"--engine", "native", "--point", "RD", "--set", "stop.end_time=1e4 s"};  // goes on for ever
   const auto process = start("out", "RD", options);
   Words status = options;
   status.push_back("--status");
@@ -171,7 +171,7 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
   EXPECT_CONTAINS(said_, "RD     stopped");
 
   // Neither is it gone on with by another configuration.
-  EXPECT_EQ(run("out", {"--engine", "native", "--point", "RD", "--set", "stop.end_time=0.1"}), 2);
+  EXPECT_EQ(run("out", {"--engine", "native", "--point", "RD", "--set", "stop.end_time=0.1 s"}), 2);
   EXPECT_CONTAINS(said_, "stop.end_time = 10000.0 there, 0.1 now");
 }
 
