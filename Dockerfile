@@ -6,5 +6,5 @@ WORKDIR /root/flowslide
 COPY packages.txt .
 RUN apt-get update && sed 's/#.*//' packages.txt | xargs apt-get install -y --no-install-recommends && rm -rf /var/lib/apt/lists/*
 COPY . .
-RUN ./reproduce --list
+RUN ./reproduce --build
 CMD ["./reproduce"]

@@ -7,7 +7,7 @@
 points_of() {
   local program=$1 figures=$2 listing
   shift 2
-  [[ -x $program ]] || die "flowslide: $program was not built" 1
+  [[ -x $program ]] || die "flowslide: $program was not built; ./reproduce --build builds it" 1
   listing=$("$program" "$@" --list --json) || return
   # The listing is {"points": [{"name": "...", "figures": ["3", ...], "predicted_seconds": 1.5, ...}, ...]}.
   tr '\n' ' ' <<<"$listing" | awk -v wanted="$figures" '

@@ -73,6 +73,13 @@ expect 2 "scale is 'huge'; allowed: quick, paper" --scale huge
 expect 2 "jobs is '0'; allowed" --jobs 0
 expect 2 "needs a value" fig03 --output
 expect 0 'fig03 *22 s' --list --jobs 1
+[[ ! -e $room/calls ]] || { echo "--list called: $(cat "$room/calls")"; failures=$((failures + 1)); }
+mv "$program" "$program.away"
+expect 1 'fig03_undrained was not built; ./reproduce --build builds it' --list
+[[ ! -e $room/calls ]] || { echo "--list called: $(cat "$room/calls")"; failures=$((failures + 1)); }
+mv "$program.away" "$program"
+expect 0 'build into build/release' --build
+grep -q 'cmake --build' "$room/calls" || { echo '--build did not build'; failures=$((failures + 1)); }
 expect 0 'fig03 *20 s' --list --jobs 2
 expect 0 'claims of b a checked' fig03
 expect_file quick/run 'a b '
