@@ -96,7 +96,9 @@ class CaseProgram {
   int plan() const {
     std::ostream nowhere(nullptr);
     std::ostream& out = first_rank() ? std::cout : nowhere;
-    out << "# resolved configuration, hash " << configuration_.hash() << "\n" << configuration_.resolved();
+    out << "# resolved configuration, hash " << configuration_.hash() << "\n"
+        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n"
+        << configuration_.resolved();
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
       out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,

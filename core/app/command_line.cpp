@@ -79,8 +79,8 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->type_name("FILE")
       ->group(group);
   app.add_option("--set", raw.settings,
-                 "One value of the configuration, such as slope.angle=\"6 deg\"; may be repeated; "
-                 "--dry-run prints all keys")
+                 "One value of the configuration, such as slope.angle=\"6 deg\"; a quantity needs its unit; may be "
+                 "repeated; --dry-run prints all keys")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(key_and_value, ""))
@@ -132,7 +132,7 @@ void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
       ->check(CLI::Validator(integer_from(1, most_threads), ""))
       ->group(group);
   app.add_option("--checkpoint-interval", raw.checkpoint_interval,
-                 "Time between checkpoints, at the next exchange; default: 3 min")
+                 "Time between checkpoints, at the next exchange: \"30 s\"; default: 3 min")
       ->type_name("TIME")
       ->group(group);
   app.add_option("--max-walltime", raw.max_walltime,

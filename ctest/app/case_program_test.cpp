@@ -314,6 +314,7 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   const Outcome outcome = run({"--dry-run", "--point", "a", "--set", "size=1 cm"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(outcome.output.starts_with("# resolved configuration, hash ")) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "keys with a bare number take bare numbers\n");
   EXPECT_CONTAINS(outcome.output, "count = 3\n");
   EXPECT_CONTAINS(outcome.output, "size = \"0.01 m\"\n");
   EXPECT_CONTAINS(outcome.output, "# point a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");

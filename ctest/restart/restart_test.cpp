@@ -172,7 +172,7 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
 
   // Neither is it gone on with by another configuration.
   EXPECT_EQ(run("out", {"--engine", "native", "--point", "RD", "--set", "stop.end_time=0.1 s"}), 2);
-  EXPECT_CONTAINS(said_, "stop.end_time = 10000.0 there, 0.1 now");
+  EXPECT_CONTAINS(said_, "stop.end_time = \"10000.0 s\" there, \"0.1 s\" now");
 }
 
 TEST_F(Restart, BeginsAnewOnlyWhenTold) {
