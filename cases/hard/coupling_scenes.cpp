@@ -44,9 +44,9 @@ SceneRecord exchange_scene(const Workshop& workshop) {
   const double right = alone(workshop, sample);
   SceneRecord record;
   for (const double step : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 1e-1})
-    record.trials.push_back(attempt(fmt::format("dt_G = {:.0e} s", step),
-                                    relative(right, 0.03, 0.1, step > 2e-3 ? "unstable" : ""),
-                                    [&] { return coupled(workshop, sample, fmt::format("time_step = \"{} s\"\n", step)); }));
+    record.trials.push_back(
+        attempt(fmt::format("dt_G = {:.0e} s", step), relative(right, 0.03, 0.1, step > 2e-3 ? "unstable" : ""),
+                [&] { return coupled(workshop, sample, fmt::format("time_step = \"{} s\"\n", step)); }));
   return record;
 }
 

@@ -35,7 +35,8 @@ SceneRecord pulse_scene(const Workshop& workshop) {
                                   [&] { return velocity_after(workshop, sample, "", 0.0, 0.2); }));
   record.trials.push_back(attempt("A = 1 Pa, T = 0.2 s", {0.0, 1e-5, -impulse(1, 0.2), impulse(1, 0.2)},
                                   [&] { return velocity_after(workshop, sample, "", 1.0, 0.2); }));
-  const double huge = velocity_after(workshop, sample, "time_step = \"5e-5 s\"\nlocal_time_step = \"2e-6 s\"\n", 30e3, 0.05);
+  const double huge =
+      velocity_after(workshop, sample, "time_step = \"5e-5 s\"\nlocal_time_step = \"2e-6 s\"\n", 30e3, 0.05);
   record.trials.push_back(attempt("A = 30 kPa, T = 0.05 s", relative(huge, 0.05, 0.25), [&] {
     return velocity_after(workshop, sample, "local_time_step = \"4e-6 s\"\n", 30e3, 0.05);
   }));

@@ -103,8 +103,8 @@ SceneRecord drained_grains_scene(const Workshop& workshop) {
         record.trials.push_back(attempt(
             fmt::format("grains, k = {:.0e} m/s, dt_G = {:.0e} s, {}", conductivity, step, scheme),
             {1.0, 0.01, 0.9, 1.1, beyond && std::string(scheme) == "euler" ? "unstable" : ""}, [&] {
-              const SlideSettings settings =
-                  workshop.slide(fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
+              const SlideSettings settings = workshop.slide(
+                  fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
               return slide_on_grains(workshop, sample, settings, {.end_time = 0.1}, false).stress.normal / normal;
             }));
       }

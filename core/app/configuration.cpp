@@ -176,9 +176,9 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   const std::vector<std::string> candidates(those.begin(), those.end());
   const std::string meant = is_table ? "" : key_meant(entry.key, candidates);
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
-                     !meant.empty() ? fmt::format("did you mean \"{}\"?", meant)
-                                    : did_you_mean(entry.key, candidates,
-                                                   "none is like it; --dry-run prints those there are"));
+                     !meant.empty()
+                         ? fmt::format("did you mean \"{}\"?", meant)
+                         : did_you_mean(entry.key, candidates, "none is like it; --dry-run prints those there are"));
 }
 
 /// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.

@@ -92,8 +92,8 @@ class Configuration {
   void reject_unknown() const;
 
   /// All that was read, as canonical TOML: dotted keys, sorted, numbers in the shortest form that gives the same double
-  /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives the
-  /// same configuration.
+  /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives
+  /// the same configuration.
   std::string resolved() const;
   /// XXH3, 128 bits, of resolved(), as 32 hexadecimal digits.
   std::string hash() const;

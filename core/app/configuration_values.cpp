@@ -24,8 +24,10 @@ template <typename T>
 std::string canonical_list(const std::vector<T>& values, const Dimension& dimension = dimension::dimensionless) {
   std::vector<std::string> texts;
   for (const T& value : values) {
-    if constexpr (std::is_same_v<T, double>) texts.push_back(canonical_quantity(value, dimension));
-    else texts.push_back(canonical(value));
+    if constexpr (std::is_same_v<T, double>)
+      texts.push_back(canonical_quantity(value, dimension));
+    else
+      texts.push_back(canonical(value));
   }
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }

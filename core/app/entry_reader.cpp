@@ -131,8 +131,10 @@ class Flattener {
 };
 
 [[noreturn]] void refuse_nesting(const std::string& place) {
-  throw ConfigurationError(fmt::format("{}: is nested too deeply: a key has at most {} parts, and at most as many "
-                                       "brackets may stand within each other", place, most_nesting));
+  throw ConfigurationError(
+      fmt::format("{}: is nested too deeply: a key has at most {} parts, and at most as many "
+                  "brackets may stand within each other",
+                  place, most_nesting));
 }
 
 /// The place of an offset of a text; columns count code points.
@@ -207,8 +209,10 @@ std::vector<Entry> read_option(const std::string& key, const std::string& value,
     values = read_entries(line, option);
   } catch (const ConfigurationError&) {
     if (begins_as_toml(value))
-      throw ConfigurationError(fmt::format("{}: the value is no TOML: close every quote and bracket, and quote each text "
-                                           "of a list, such as [\"0.2 1/s\", \"0.1 1/s\"]", option));
+      throw ConfigurationError(
+          fmt::format("{}: the value is no TOML: close every quote and bracket, and quote each text "
+                      "of a list, such as [\"0.2 1/s\", \"0.1 1/s\"]",
+                      option));
     values.clear();
   }
   const bool one_value = !values.empty() && values.front().key == "value" &&

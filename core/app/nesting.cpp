@@ -55,9 +55,7 @@ std::optional<std::size_t> too_deep_at(std::string_view toml) {
         break;
       case '\n':
       case '=':
-      case ',':
-        parts = 1;
-        break;
+      case ',': parts = 1; break;
       default: break;
     }
     ++at;

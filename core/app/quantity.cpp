@@ -61,18 +61,18 @@ struct Alias {
 };
 
 constexpr std::array aliases{
-    Alias{"sec", "s"},         Alias{"second", "s"},    Alias{"seconds", "s"},    Alias{"minute", "min"},
-    Alias{"minutes", "min"},   Alias{"hr", "h"},        Alias{"hour", "h"},       Alias{"hours", "h"},
-    Alias{"days", "day"},      Alias{"degree", "deg"},  Alias{"degrees", "deg"},  Alias{"\u00B0", "deg"},
-    Alias{"\u00B5m", "um"},    Alias{"\u03BCm", "um"},  Alias{"\u00B5s", "us"},   Alias{"\u03BCs", "us"},
-    Alias{"percent", "%"},     Alias{"meter", "m"},     Alias{"metre", "m"},      Alias{"pascal", "Pa"},
-    Alias{"newton", "N"},      Alias{"gram", "g"},      Alias{"ton", "t"},        Alias{"tonne", "t"},
+    Alias{"sec", "s"},       Alias{"second", "s"},   Alias{"seconds", "s"},   Alias{"minute", "min"},
+    Alias{"minutes", "min"}, Alias{"hr", "h"},       Alias{"hour", "h"},      Alias{"hours", "h"},
+    Alias{"days", "day"},    Alias{"degree", "deg"}, Alias{"degrees", "deg"}, Alias{"\u00B0", "deg"},
+    Alias{"\u00B5m", "um"},  Alias{"\u03BCm", "um"}, Alias{"\u00B5s", "us"},  Alias{"\u03BCs", "us"},
+    Alias{"percent", "%"},   Alias{"meter", "m"},    Alias{"metre", "m"},     Alias{"pascal", "Pa"},
+    Alias{"newton", "N"},    Alias{"gram", "g"},     Alias{"ton", "t"},       Alias{"tonne", "t"},
 };
 
 struct Named {
   Dimension dimension;
   std::string_view name;
-  std::string_view unit;     // SI
+  std::string_view unit;  // SI
   std::string_view example;
   std::string_view usual{};  // a unit that people have in mind when they write none; empty: the SI unit
 };

@@ -12,8 +12,8 @@ namespace flowslide {
 /// Underscores do not count, upper and lower case do. Empty when it is no symbol.
 std::vector<std::string> keys_of_symbol(std::string_view symbol);
 
-/// The one of `keys` that `key` means when its last part is a symbol: "slope.k" gives "slope.hydraulic_conductivity". Of
-/// several that in the table whose name is nearest. Empty when there is none.
+/// The one of `keys` that `key` means when its last part is a symbol: "slope.k" gives "slope.hydraulic_conductivity".
+/// Of several that in the table whose name is nearest. Empty when there is none.
 std::string key_meant(std::string_view key, const std::vector<std::string>& keys);
 
 }  // namespace flowslide

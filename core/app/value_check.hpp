@@ -23,7 +23,8 @@ bool checked_flag(std::string_view key, const Scalar& scalar);
 /// "a stress above 0 Pa": what is wanted, in words.
 std::string wanted_quantity(const Dimension& dimension, const Range& range);
 
-/// Throws ConfigurationError: place, key = value as written, then the problem and the mend, if `problem` does not hold it.
+/// Throws ConfigurationError: place, key = value as written, then the problem and the mend, if `problem` does not hold
+/// it.
 [[noreturn]] void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem,
                                std::string_view mend = {});
 

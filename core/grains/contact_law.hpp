@@ -56,8 +56,8 @@ inline constexpr double cap_tolerance = 1e-6;
 ///
 /// advance_history = true does one step of `time_step` (s). false evaluates the force that belongs to a stored
 /// history, as it stood at the end of a step: neither s nor M is advanced, projected or changed, and as both were
-/// capped already, k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its
-/// cap acts with the cap.
+/// capped already, k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond
+/// its cap acts with the cap.
 ContactForce evaluate_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                               const Vector3& tangential_spring, const Vector3& rolling_torque, double time_step,
                               bool advance_history);

@@ -73,9 +73,9 @@ TEST_F(LayeredConfiguration, LaysOptionsOverAll) {
   EXPECT_EQ(stress_of(read("", "", {{"sample.confining_stress", "3 kPa", "--set"}})), 3000.0);
   EXPECT_EQ(stress_of(read("", "", {{"sample.confining_stress", "3kPa", "--set"}})), 3000.0);
   EXPECT_EQ(stress_of(read("", "", {{"sample.confining_stress", "\"3 kPa\"", "--set"}})), 3000.0);
-  EXPECT_EQ(
-      stress_of(read("", "", {{"sample.confining_stress", "1 Pa", "--set"}, {"sample.confining_stress", "2 Pa", "--set"}})),
-      2.0);
+  EXPECT_EQ(stress_of(read(
+                "", "", {{"sample.confining_stress", "1 Pa", "--set"}, {"sample.confining_stress", "2 Pa", "--set"}})),
+            2.0);
 }
 
 TEST_F(LayeredConfiguration, KeepsThePlaceOfEachLayer) {
@@ -163,9 +163,10 @@ TEST(Configuration, NamesAMissingKeyAndWhatMayBeAMisspellingOfIt) {
 
 TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
   const std::string mine = "\n[point.mine]\nfigures = '3'\n[sample]\nlayers = 3\n";
-  EXPECT_EQ(complaint([&] { read("quick", mine).text("point.mine.scheme"); }),
-            "user.toml:2:8: [point.mine] lacks the key \"point.mine.scheme\": text is needed; add it there or with --set "
-            "point.mine.scheme=VALUE");
+  EXPECT_EQ(
+      complaint([&] { read("quick", mine).text("point.mine.scheme"); }),
+      "user.toml:2:8: [point.mine] lacks the key \"point.mine.scheme\": text is needed; add it there or with --set "
+      "point.mine.scheme=VALUE");
   EXPECT_CONTAINS(complaint([&] { read("quick", "point.mine = { a = 1 }").text("point.mine.scheme"); }),
                   "user.toml:1:7: [point.mine] lacks");
   EXPECT_CONTAINS(complaint([&] {
@@ -248,12 +249,13 @@ TEST(Configuration, ResolvedTextReadsBackToItself) {
 
 TEST(Configuration, ResolvedQuantitiesAreTheSameBits) {
   std::mt19937_64 random(18);
-  for (const Dimension& dimension : {dimension::dimensionless, dimension::angle, dimension::mass, dimension::length,
-                                     dimension::time, dimension::rate, dimension::velocity, dimension::acceleration,
-                                     dimension::area, dimension::volume, dimension::density, dimension::unit_weight,
-                                     dimension::force, dimension::stress, dimension::stress_rate, dimension::viscosity,
-                                     dimension::mass_rate, dimension::compressibility, dimension::energy,
-                                     Dimension{1, -2, 3, -1}}) {
+  for (const Dimension& dimension : {dimension::dimensionless, dimension::angle,        dimension::mass,
+                                     dimension::length,        dimension::time,         dimension::rate,
+                                     dimension::velocity,      dimension::acceleration, dimension::area,
+                                     dimension::volume,        dimension::density,      dimension::unit_weight,
+                                     dimension::force,         dimension::stress,       dimension::stress_rate,
+                                     dimension::viscosity,     dimension::mass_rate,    dimension::compressibility,
+                                     dimension::energy,        Dimension{1, -2, 3, -1}}) {
     const auto read = [&](const std::string& text) {
       const auto c = Configuration::from_text(text);
       std::vector<double> values = c.quantities("list", dimension);

@@ -81,8 +81,11 @@ TEST(ReadLoading, TakesEveryHistory) {
   const auto rate = std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"1e3 kPa/min\""));
   EXPECT_NEAR(rate.rate, 1e6 / 60.0, 1e-9);  // rounding
   EXPECT_TRUE(std::isinf(rate.duration));
-  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"100 Pa/s\"\nduration = \"3 s\"")).duration, 3.0);
-  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"-100 Pa/s\"\nfinal_change = \"-500 Pa\"")).duration, 5.0);
+  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"100 Pa/s\"\nduration = \"3 s\"")).duration,
+            3.0);
+  EXPECT_EQ(std::get<ConstantRate>(loading_of("history = \"rate\"\nrate = \"-100 Pa/s\"\nfinal_change = \"-500 Pa\""))
+                .duration,
+            5.0);
 }
 
 TEST(ReadLoading, TakesATableFromItsFolder) {
@@ -99,10 +102,13 @@ TEST(ReadLoading, RefusesWhatIsNoLoading) {
                   "case.toml:4:12: loading.duration = 0 is not allowed: it must be above 0 s");
   EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"1 Pa\"\nduration = \"-2 s\""), "above 0 s");
   EXPECT_CONTAINS(loading_complaint("history = \"pulse\"\namplitude = \"3 m\"\nduration = \"2 s\""), "amplitude");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = \"100 Pa/s\"\nfinal_change = \"-500 Pa\""), "is never reached");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 0\nfinal_change = \"500 Pa\""), "never reached at the rate 0");
-  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = \"1 Pa/s\"\nfinal_change = \"5 Pa\"\nduration = \"1 s\""),
-                  "duration is given as well");
+  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = \"100 Pa/s\"\nfinal_change = \"-500 Pa\""),
+                  "is never reached");
+  EXPECT_CONTAINS(loading_complaint("history = \"rate\"\nrate = 0\nfinal_change = \"500 Pa\""),
+                  "never reached at the rate 0");
+  EXPECT_CONTAINS(
+      loading_complaint("history = \"rate\"\nrate = \"1 Pa/s\"\nfinal_change = \"5 Pa\"\nduration = \"1 s\""),
+      "duration is given as well");
   EXPECT_CONTAINS(loading_complaint("history = \"table\"\nfile = \"nowhere.txt\""), "nowhere.txt");
 }
 
@@ -137,7 +143,8 @@ rested_strain = 0.2)"));
   EXPECT_EQ(settings.rest->normal_stress, 30.0);
   EXPECT_EQ(settings.rest->probed_strain, 0.01);
   EXPECT_EQ(settings.rest->rested_strain, 0.2);
-  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nrest_stress = \"30 Pa\""), "coupling.probed_strain");
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nrest_stress = \"30 Pa\""),
+                  "coupling.probed_strain");
   EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nstress_interval = 0"), "coupling.stress_interval");
 }
 

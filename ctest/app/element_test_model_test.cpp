@@ -35,12 +35,14 @@ TEST(ReadElementTest, TakesAnInertialNumberAtTheInitialStress) {
 }
 
 TEST(ReadElementTest, RefusesBothRatesNoneAndValuesOutOfRange) {
-  EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\ninertial_number = 1e-2\nfinal_strain = 1\n"), "leave one of them out");
+  EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\ninertial_number = 1e-2\nfinal_strain = 1\n"),
+                  "leave one of them out");
   EXPECT_CONTAINS(complaint("final_strain = 1\n"), "shear_rate");
   EXPECT_CONTAINS(complaint("shear_rate = 0\nfinal_strain = 1\n"), "own.shear_rate = 0 is not allowed");
   EXPECT_CONTAINS(complaint("inertial_number = -1\nfinal_strain = 1\n"), "it must be above 0");
   EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\nfinal_strain = 0\n"), "own.final_strain");
-  EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\nfinal_strain = 1\nrows = 5\n"), "it must be between 10 and 100000");
+  EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\nfinal_strain = 1\nrows = 5\n"),
+                  "it must be between 10 and 100000");
 }
 
 }  // namespace

@@ -53,8 +53,9 @@ TEST(ReadEntries, SaysThatATextIsNotClosed) {
     return message_of<ConfigurationError>([&] { read_entries(text, "case.toml"); });
   };
   for (const char* text : {"a = 1\nb = \"3 kPa\nc = 2\n", "a = 1\nb = '3 kPa\nc = 2\n", "a = 1\nb = \"3 kPa\r\n"})
-    EXPECT_EQ(complaint(text), "case.toml:2:11: this is not TOML: a text is not closed: its second quote is missing in "
-                               "this line");
+    EXPECT_EQ(complaint(text),
+              "case.toml:2:11: this is not TOML: a text is not closed: its second quote is missing in "
+              "this line");
   EXPECT_CONTAINS(complaint("b = \"3 kPa"), "a text is not closed: its second quote is missing");
   EXPECT_CONTAINS(complaint("b = '''3 kPa\n"), "a text is not closed: its second quote is missing");
   EXPECT_CONTAINS(complaint("b = \"3\x01 kPa\"\n"), "control characters");
@@ -71,8 +72,9 @@ TEST(ReadEntries, RefusesWhatIsNestedTooDeeply) {
     return message_of<ConfigurationError>([&] { read_entries("first = 1\n" + text, "case.toml"); });
   };
   constexpr int deep = 20000;
-  const std::string said = "is nested too deeply: a key has at most 32 parts, and at most as many brackets may stand "
-                           "within each other";
+  const std::string said =
+      "is nested too deeply: a key has at most 32 parts, and at most as many brackets may stand "
+      "within each other";
   EXPECT_EQ(complaint(repeated("a.", deep) + "a = 1\n"), "case.toml:2:64: " + said);
   EXPECT_EQ(complaint("[" + repeated("a.", deep) + "a]\n"), "case.toml:2:65: " + said);
   EXPECT_EQ(complaint("b = " + repeated("[", deep) + repeated("]", deep)), "case.toml:2:37: " + said);
@@ -80,8 +82,8 @@ TEST(ReadEntries, RefusesWhatIsNestedTooDeeply) {
   EXPECT_CONTAINS(complaint("b = " + repeated("{" + repeated("a.", 40) + "a=", 20) + "1" + repeated("}", 20)), said);
   // What is allowed is read, whatever stands within each other.
   const std::string keys = repeated("a.", 30) + "a";
-  EXPECT_NO_THROW(read_entries("[" + keys + "]\n" + keys + " = " + repeated("{" + keys + " = ", 30) + "1" +
-                                   repeated("}", 30), "case.toml"));
+  EXPECT_NO_THROW(read_entries(
+      "[" + keys + "]\n" + keys + " = " + repeated("{" + keys + " = ", 30) + "1" + repeated("}", 30), "case.toml"));
 }
 
 TEST(ReadEntries, RefusesKeysThatAreNotBare) {
@@ -126,9 +128,11 @@ TEST(ReadOption, ReadsLists) {
 
 TEST(ReadOption, RefusesAListOrAQuotedTextThatIsNotClosedOrNotQuoted) {
   for (const char* value : {"[0.2 1/s, 0.1 1/s]", "\"3 kPa", " '3 kPa", "[1, 2", "{a = 1"})
-    EXPECT_EQ(message_of<ConfigurationError>([&] { read_option("a", value, "--set a=..."); }),
-              "--set a=...: the value is no TOML: close every quote and bracket, and quote each text of a list, such as "
-              "[\"0.2 1/s\", \"0.1 1/s\"]") << value;
+    EXPECT_EQ(
+        message_of<ConfigurationError>([&] { read_option("a", value, "--set a=..."); }),
+        "--set a=...: the value is no TOML: close every quote and bracket, and quote each text of a list, such as "
+        "[\"0.2 1/s\", \"0.1 1/s\"]")
+        << value;
 }
 
 TEST(ReadOption, RefusesWhatIsNestedTooDeeply) {

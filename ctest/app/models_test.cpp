@@ -128,8 +128,9 @@ material.youngs_modulus = "8 GPa")"));
   EXPECT_EQ(samples[1].recipe.material.poisson_ratio, 0.25);
   EXPECT_EQ(samples[0].recipe.packing.counts, (std::array{4, 5, 6}));
   EXPECT_EQ(samples[0].recipe.material.youngs_modulus, 2e9);
-  EXPECT_CONTAINS(complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = \"1 ms\""),
-                  "sample.isotropic.preparation.time_step = \"1 ms\" is too long");
+  EXPECT_CONTAINS(
+      complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = \"1 ms\""),
+      "sample.isotropic.preparation.time_step = \"1 ms\" is too long");
 }
 
 TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {

@@ -71,8 +71,7 @@ TEST(Quantity, TakesABareZeroAndBareNumbersWhereThereIsNoUnit) {
 }
 
 TEST(Quantity, NamesTextExpectedAndGivenWhenTheDimensionIsWrong) {
-  EXPECT_EQ(complaint("3 m", dimension::stress),
-            "\"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
+  EXPECT_EQ(complaint("3 m", dimension::stress), "\"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
   EXPECT_EQ(complaint("3 m", dimension::dimensionless),
             "\"3 m\" is a length, but a number without unit is expected, such as \"0.25\"");
   EXPECT_CONTAINS(complaint("3 kg^2", dimension::stress), "is a quantity in kg^2, but a stress");

@@ -73,7 +73,8 @@ TEST_F(SampleCache, SaysOnceWhereItIsWhenItIsNew) {
   style.stream = &out;
   find_sample(engine, easy, folder(), style);
   EXPECT_TRUE(out.str().starts_with("flowslide: prepared samples are kept in " + folder().string() +
-                                    ", a new folder; set FLOWSLIDE_CACHE to use another\n")) << out.str();
+                                    ", a new folder; set FLOWSLIDE_CACHE to use another\n"))
+      << out.str();
   out.str("");
   find_sample(engine, easy, folder(), style);
   EXPECT_EQ(out.str(), "");

@@ -100,7 +100,9 @@ TEST_F(SlideProgram, PlansWithoutWriting) {
 
 TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
   ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
-                 "point.RD.profile_strains=[0]"}), 0) << error_;
+                 "point.RD.profile_strains=[0]"}),
+            0)
+      << error_;
   const Result result = read_result(output() / "RD_r2.h5");
   EXPECT_EQ(result.provenance.engine, "native");
   EXPECT_EQ(values_of({result}, "profiles"), std::vector{3.0});
@@ -110,7 +112,9 @@ TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
   ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--prepare"}), 0);
   EXPECT_EQ(error_, "");
   ASSERT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
-                 "point.RD.profile_strains=[0]", "--check"}), 0) << error_;
+                 "point.RD.profile_strains=[0]", "--check"}),
+            0)
+      << error_;
   EXPECT_TRUE(fs::exists(output() / "RD_profiles_band.dat"));
 }
 
@@ -134,9 +138,11 @@ TEST_F(SlideProgram, StartsGrainsLinear) {
   // The same sample by the same steps: only the field that it starts from differs, and with it the first stress.
   const auto first_stress = [&](const std::string& linear) {
     std::filesystem::remove_all(output());
-    EXPECT_EQ(run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set",
-                   "rows.row_interval=1 ms", "--set", "coupling.linear_start=" + linear, "--set",
-                   "coupling.initial_velocity=10 cm/s"}), 0) << error_;
+    EXPECT_EQ(
+        run({"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2 ms", "--set", "rows.row_interval=1 ms",
+             "--set", "coupling.linear_start=" + linear, "--set", "coupling.initial_velocity=10 cm/s"}),
+        0)
+        << error_;
     return read_result(output() / "RD_r2.h5").series.column("shear_stress").values.at(1);
   };
   EXPECT_NE(first_stress("true"), first_stress("false"));

@@ -6,10 +6,17 @@
 namespace flowslide {
 namespace {
 
-const std::vector<std::string> keys{"coupling.local_time_step", "coupling.time_step",  "elastic.void_ratio",
-                                    "loading.amplitude",        "loading.duration",    "material.sliding_friction",
-                                    "point.RD.loading.amplitude", "sample.loose.void_ratio", "shear.time_step",
-                                    "slope.angle", "slope.hydraulic_conductivity"};
+const std::vector<std::string> keys{"coupling.local_time_step",
+                                    "coupling.time_step",
+                                    "elastic.void_ratio",
+                                    "loading.amplitude",
+                                    "loading.duration",
+                                    "material.sliding_friction",
+                                    "point.RD.loading.amplitude",
+                                    "sample.loose.void_ratio",
+                                    "shear.time_step",
+                                    "slope.angle",
+                                    "slope.hydraulic_conductivity"};
 
 TEST(Symbols, NameTheKeysThatTheyStandFor) {
   EXPECT_EQ(keys_of_symbol("k"), std::vector<std::string>{"hydraulic_conductivity"});

@@ -25,8 +25,9 @@ TEST(CheckedQuantity, TakesTextsWithUnitsAndBareNumbersWithoutDimension) {
 
 TEST(CheckedQuantity, RefusesABareNumberThatNeedsAUnit) {
   const Range allowed = Range::between(0.0, 1.5);
-  EXPECT_EQ(complaint([&] { checked_quantity("slope.angle", scalar(std::int64_t{4}, "4"), dimension::angle, allowed); }),
-            "case.toml:3:7: slope.angle = 4 has no unit: it would be 4 rad = 229.2 deg; write \"4 deg\" or \"4 rad\"");
+  EXPECT_EQ(
+      complaint([&] { checked_quantity("slope.angle", scalar(std::int64_t{4}, "4"), dimension::angle, allowed); }),
+      "case.toml:3:7: slope.angle = 4 has no unit: it would be 4 rad = 229.2 deg; write \"4 deg\" or \"4 rad\"");
   EXPECT_EQ(complaint([&] { checked_quantity("a", scalar(2.5, "2.5"), dimension::stress, Range::any()); }),
             "case.toml:3:7: a = 2.5 has no unit: it would be 2.5 Pa; write \"2.5 kPa\" or \"2.5 Pa\"");
   EXPECT_EQ(complaint([&] { checked_quantity("a", scalar("2", "\"2\""), dimension::stress, Range::any()); }),
@@ -53,9 +54,8 @@ TEST(CheckedQuantity, RefusesInfinityWhateverTheRange) {
 }
 
 TEST(CheckedQuantity, SaysPlaceAndKeyWithAWrongDimension) {
-  EXPECT_EQ(
-      complaint([] { checked_quantity("a", scalar("3 m", "\"3 m\""), dimension::stress, Range::any()); }),
-      "case.toml:3:7: a: \"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
+  EXPECT_EQ(complaint([] { checked_quantity("a", scalar("3 m", "\"3 m\""), dimension::stress, Range::any()); }),
+            "case.toml:3:7: a: \"3 m\" is a length, but a stress is expected, such as \"3 kPa\"");
 }
 
 TEST(CheckedQuantity, SaysWhatTypeIsWanted) {

@@ -70,8 +70,11 @@ TEST_F(Restart, GoesOnWithTheSameStressOnLiggghts) {
 TEST_F(Restart, ASecondInterruptEndsAtOnce) {
   ASSERT_EQ(run("whole", {"--engine", "native", "--point", "alone"}), 0) << said_;  // its sample is there from now on
   // A test whose rows, at which it may end, are far apart: many seconds.
-  const Words long_test{"--engine", "native", "--point", "alone", "--set", "element_test.rows=10", "--set",
-                        "point.alone.final_strain=100", "--set", "coupling.local_time_step=1e-7 s"};
+  const Words long_test{"--engine", "native",
+                        "--point",  "alone",
+                        "--set",    "element_test.rows=10",
+                        "--set",    "point.alone.final_strain=100",
+                        "--set",    "coupling.local_time_step=1e-7 s"};
   Process process(command("out", long_test), scratch_.path() / "out.said");
   std::this_thread::sleep_for(std::chrono::seconds(1));
   process.signal(SIGINT);
