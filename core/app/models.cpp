@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/error.hpp"
+#include "app/field_reader.hpp"
 #include "sample/health.hpp"
 
 namespace flowslide {
@@ -13,17 +14,11 @@ namespace {
 
 /// Room between the seeds of two replicates for the trials of a search.
 constexpr std::uint64_t seeds_per_replicate = 1000;
-/// Of a lattice along one axis: the number of its grains is an int.
-constexpr int most_sites = 1000;
 
 LatticePacking read_packing(const Configuration& configuration, const TableNames& tables) {
   const Tables table(configuration, tables);
   LatticePacking packing;
-  const auto counts = configuration.integers(table.key("lattice"), Range::between(3, most_sites));
-  if (counts.size() != 3) table.refuse("lattice", "does not have the three counts of a lattice", "write it as [20, 20, 22]");
-  for (int axis = 0; axis < 3; ++axis) packing.counts[axis] = static_cast<int>(counts[axis]);
-  packing.smallest_diameter = table.positive("smallest_diameter", dimension::length);
-  packing.largest_diameter = table.positive("largest_diameter", dimension::length);
+  read_fields(table, packing, {"spacing", "jitter", "seed"});
   if (packing.largest_diameter < packing.smallest_diameter)
     table.refuse("largest_diameter", fmt::format("is below packing.smallest_diameter, {} m", packing.smallest_diameter),
                  "change one of them");
@@ -31,18 +26,12 @@ LatticePacking read_packing(const Configuration& configuration, const TableNames
   return packing;
 }
 
+/// The recipe but for the grains and for what differs between the samples of a configuration.
 SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
-  const Tables table(configuration, tables);
   SampleRecipe recipe;
-  recipe.time_step = table.positive("time_step", dimension::time);
-  recipe.loose_void_ratio = table.number("loose_void_ratio", Range::inside(0.95, 4.0));
-  recipe.compaction_rate = table.positive("compaction_rate", dimension::rate);
-  const auto rates = configuration.quantities(table.key("servo_rates"), dimension::rate, Range::positive());
-  if (rates.size() != 3) table.refuse("servo_rates", "stages 2, 3 and 4 have one rate each", "give three rates");
-  for (int stage = 0; stage < 3; ++stage) recipe.servo_rates[stage] = rates[stage];
-  recipe.servo_interval = static_cast<int>(table.integer("servo_interval", Range::between(1, 10000)));
-  recipe.stress_tolerance = table.number("stress_tolerance", Range::inside(0.0, 0.1));
-  recipe.kinetic_tolerance = table.number("kinetic_tolerance", Range::positive());
+  read_fields(Tables(configuration, tables), recipe,
+              {"packing", "material", "normal_stress", "shear_stress", "preparation_friction", "periodic_height",
+               "drag", "most_steps"});
   return recipe;
 }
 
@@ -55,13 +44,13 @@ std::uint64_t seed_offset(const Configuration& configuration, const std::string&
 }
 
 /// mu_1 of a sample: as a search found it for this replicate, or where a search starts.
-double preparation_friction(const Configuration& configuration, const std::string& table, int replicate) {
-  const Range allowed = Range::between(0.0, 2.0);
-  const double start = configuration.number(table + "preparation_friction", allowed);
-  const std::string key = table + "found_preparation_frictions";
-  if (!configuration.has(key)) return start;
-  const std::vector<double> found = configuration.numbers(key, allowed);
-  return static_cast<std::size_t>(replicate) < found.size() ? found[replicate] : start;
+double preparation_friction(const Tables& sample, int replicate) {
+  SampleRecipe recipe;
+  read_field(sample, recipe, &SampleRecipe::preparation_friction);
+  if (!sample.has("found_preparation_frictions")) return recipe.preparation_friction;
+  const FieldKey key = key_of(&SampleRecipe::preparation_friction);
+  const std::vector<double> found = sample.quantities("found_preparation_frictions", key.dimension(), key.range());
+  return static_cast<std::size_t>(replicate) < found.size() ? found[replicate] : recipe.preparation_friction;
 }
 
 }  // namespace
@@ -84,16 +73,8 @@ SlopeProperties read_slope(const Configuration& configuration) {
 }
 
 Material read_material(const Configuration& configuration, const TableNames& tables) {
-  const Tables table(configuration, tables);
   Material material;
-  material.density = table.positive("density", dimension::density);
-  material.youngs_modulus = table.positive("youngs_modulus", dimension::stress);
-  material.poisson_ratio = table.number("poisson_ratio", Range::from_below(0.0, 0.5));
-  material.restitution = table.number("restitution", Range::above_up_to(0.0, 1.0));
-  material.sliding_friction = table.number("sliding_friction", Range::not_negative());
-  material.rolling_friction = table.number("rolling_friction", Range::not_negative());
-  material.rolling_stiffness = table.number("rolling_stiffness", Range::at_least(1.0));
-  material.rolling_viscous_damping = table.number("rolling_viscous_damping", Range::not_negative());
+  read_fields(Tables(configuration, tables), material);
   return material;
 }
 
@@ -102,6 +83,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
   std::vector<SampleSpecification> samples;
   for (const std::string& name : configuration.subtables("sample")) {
     const std::string table = "sample." + name + ".";
+    const Tables own(configuration, "sample." + name);
     const TableNames preparation{table + "preparation", "preparation"};
     SampleSpecification sample{name, read_preparation(configuration, preparation), {}};
     sample.recipe.packing = read_packing(configuration, {table + "packing", "packing"});
@@ -111,8 +93,8 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
     const std::string periodic = table + "periodic_height";
     sample.recipe.periodic_height = configuration.has(periodic) && configuration.flag(periodic);
-    sample.recipe.preparation_friction = preparation_friction(configuration, table, replicate);
-    sample.recipe.drag = configuration.quantity(table + "drag", dimension::mass_rate, Range::not_negative());
+    sample.recipe.preparation_friction = preparation_friction(own, replicate);
+    read_field(own, sample.recipe, &SampleRecipe::drag);
     sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
     sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));

@@ -44,6 +44,12 @@ class Tables {
     return quantity(name, dimension, Range::positive());
   }
   std::int64_t integer(const char* name, const Range& range) const { return configuration_.integer(key(name), range); }
+  std::vector<double> quantities(const char* name, const Dimension& dimension, const Range& range) const {
+    return configuration_.quantities(key(name), dimension, range);
+  }
+  std::vector<std::int64_t> integers(const char* name, const Range& range) const {
+    return configuration_.integers(key(name), range);
+  }
   bool flag(const char* name) const { return configuration_.flag(key(name)); }
   /// Marks keys as known in each of the tables.
   void accept(std::initializer_list<const char*> names) const;

@@ -45,7 +45,14 @@ struct EngineSettings {
   Material material;
   double time_step = 5e-7;  ///< dt_L, s
   double drag = 0.0;        ///< c of the force -c v on each mobile grain, kg/s; for preparation
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"material", &EngineSettings::material},
+                      Field{"time_step", &EngineSettings::time_step, "s", Bounds::positive()},
+                      Field{"drag", &EngineSettings::drag, "kg/s", Bounds::not_negative()}};
+  }
 };
+static_assert(lists_every_member<EngineSettings>());
 
 /// A discrete element method engine: Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling, velocity
 /// Verlet, histories cleared when a contact opens. One object simulates one assembly. Every call is collective over

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include "grains/fields.hpp"
 
 namespace flowslide {
 
@@ -18,6 +19,19 @@ struct Material {
   bool operator==(const Material&) const = default;
   /// G = E / (2 (1 + nu)), Pa.
   double shear_modulus() const { return youngs_modulus / (2.0 * (1.0 + poisson_ratio)); }
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"density", &Material::density, "kg/m^3", Bounds::positive()},
+        Field{"youngs_modulus", &Material::youngs_modulus, "Pa", Bounds::positive()},
+        Field{"poisson_ratio", &Material::poisson_ratio, "1", Bounds::from_below(0.0, 0.5)},
+        Field{"restitution", &Material::restitution, "1", Bounds::above_up_to(0.0, 1.0)},
+        Field{"sliding_friction", &Material::sliding_friction, "1", Bounds::not_negative()},
+        Field{"rolling_friction", &Material::rolling_friction, "1", Bounds::not_negative()},
+        Field{"rolling_stiffness", &Material::rolling_stiffness, "1", Bounds::at_least(1.0)},
+        Field{"rolling_viscous_damping", &Material::rolling_viscous_damping, "1", Bounds::not_negative()}};
+  }
 };
+static_assert(lists_every_member<Material>());
 
 }  // namespace flowslide

@@ -42,18 +42,11 @@ std::vector<double> draw_with(Generator& generator, const LatticePacking& option
 }  // namespace
 
 void validate(const LatticePacking& options) {
-  for (int axis = 0; axis < 3; ++axis)
-    require(options.counts[axis] >= 3, "count along " + std::string(1, "xyz"[axis]), options.counts[axis],
-            ">= 3", "Use more sites: a periodic cell needs three grains between a grain and its image.");
-  require(std::isfinite(options.smallest_diameter) && options.smallest_diameter > 0.0, "smallest diameter",
-          options.smallest_diameter, "finite and > 0 m", "Give it in metres, such as 0.005.");
-  require(std::isfinite(options.largest_diameter) && options.largest_diameter >= options.smallest_diameter,
-          "largest diameter", options.largest_diameter,
-          "finite and >= the smallest, " + std::to_string(options.smallest_diameter) + " m", "Exchange the two?");
-  require(std::isfinite(options.jitter) && options.jitter >= 0.0, "jitter", options.jitter,
-          "finite and >= 0 (of the largest diameter)", "Use 0 for a perfect lattice.");
-  require(std::isfinite(options.spacing) && options.spacing > 1.0 + 2.0 * options.jitter, "spacing", options.spacing,
-          "more than 1 + 2 jitter = " + std::to_string(1.0 + 2.0 * options.jitter) + " (of the largest diameter)",
+  validate_fields(options);
+  require(options.largest_diameter >= options.smallest_diameter, "largest_diameter", options.largest_diameter,
+          ">= the smallest, " + field_text(options.smallest_diameter) + " m", "Exchange the two?");
+  require(options.spacing > 1.0 + 2.0 * options.jitter, "spacing", options.spacing,
+          "more than 1 + 2 jitter = " + field_text(1.0 + 2.0 * options.jitter) + " (of the largest diameter)",
           "Raise the spacing or lower the jitter.");
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grains/assembly.hpp"
+#include "grains/fields.hpp"
 
 namespace flowslide {
 
@@ -16,7 +17,18 @@ struct LatticePacking {
   double spacing = 1.1;                    ///< distance of neighbouring sites over D_max, > 1 + 2 jitter
   double jitter = 0.04;                    ///< largest shift of a centre off its site, per axis, over D_max, >= 0
   std::uint64_t seed = 1;                  ///< any value; equal seeds give equal packings on every platform
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"lattice", &LatticePacking::counts, "1", Bounds::between(3, 1000)},  // so that an int counts the grains
+        Field{"smallest_diameter", &LatticePacking::smallest_diameter, "m", Bounds::positive()},
+        Field{"largest_diameter", &LatticePacking::largest_diameter, "m", Bounds::positive()},
+        Field{"spacing", &LatticePacking::spacing, "1", Bounds::positive()},
+        Field{"jitter", &LatticePacking::jitter, "1", Bounds::not_negative()},
+        Field{"seed", &LatticePacking::seed}};
+  }
 };
+static_assert(lists_every_member<LatticePacking>());
 
 /// Throws std::invalid_argument if an option is out of the range given at its declaration.
 void validate(const LatticePacking& options);

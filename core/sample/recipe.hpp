@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "grains/material.hpp"
@@ -21,15 +23,36 @@ struct SampleRecipe {
 
   double loose_void_ratio = 1.2;          ///< end of stage 1
   double compaction_rate = 1.0;           ///< stage 1, of each axis, 1/s
-  double servo_rates[3] = {0.2, 0.1, 0.05};  ///< largest rates in stages 2, 3 and 4, 1/s
+  std::array<double, 3> servo_rates{0.2, 0.1, 0.05};  ///< largest rates in stages 2, 3 and 4, 1/s
   int servo_interval = 30;                ///< steps between two looks of the servo
   double stress_tolerance = 1e-3;         ///< of sigma_0, for each stress at the end of a stage
   double kinetic_tolerance = 1e-8;        ///< mean kinetic energy of a grain over p D^3 at rest
   std::int64_t most_steps = 2'000'000;    ///< per stage; a stage that needs more is a failure
 
-  /// Text that is equal exactly when two recipes prepare the same sample; the key of the sample cache.
+  /// Text that is equal exactly when two recipes prepare the same sample by one procedure and engine. It leaves out
+  /// `most_steps`: a sample that is complete needed no more of them.
   std::string text() const;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        Field{"packing", &SampleRecipe::packing},
+        Field{"material", &SampleRecipe::material},
+        Field{"normal_stress", &SampleRecipe::normal_stress, "Pa", Bounds::positive()},
+        Field{"shear_stress", &SampleRecipe::shear_stress, "Pa"},
+        Field{"preparation_friction", &SampleRecipe::preparation_friction, "1", Bounds::between(0.0, 2.0)},
+        Field{"periodic_height", &SampleRecipe::periodic_height},
+        Field{"drag", &SampleRecipe::drag, "kg/s", Bounds::not_negative()},
+        Field{"time_step", &SampleRecipe::time_step, "s", Bounds::positive()},
+        Field{"loose_void_ratio", &SampleRecipe::loose_void_ratio, "1", Bounds::inside(0.95, 4.0)},
+        Field{"compaction_rate", &SampleRecipe::compaction_rate, "1/s", Bounds::positive()},
+        Field{"servo_rates", &SampleRecipe::servo_rates, "1/s", Bounds::positive()},
+        Field{"servo_interval", &SampleRecipe::servo_interval, "1", Bounds::between(1, 10000)},
+        Field{"stress_tolerance", &SampleRecipe::stress_tolerance, "1", Bounds::inside(0.0, 0.1)},
+        Field{"kinetic_tolerance", &SampleRecipe::kinetic_tolerance, "1", Bounds::positive()},
+        Field{"most_steps", &SampleRecipe::most_steps, "1", Bounds::at_least(1), Effect::limit_only}};
+  }
 };
+static_assert(lists_every_member<SampleRecipe>());
 
 /// Throws std::invalid_argument: what is wrong, the value, what is allowed, how to mend it.
 void validate(const SampleRecipe& recipe);

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "app/error.hpp"
@@ -160,6 +162,55 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
   EXPECT_EQ(recipe.kinetic_tolerance, 1e-8);
 }
 
+/// Values of the leaves of a recipe, by name.
+std::map<std::string, std::string> leaves(const SampleRecipe& recipe) {
+  std::map<std::string, std::string> values;
+  for_each_leaf(recipe,
+                [&](const std::string& name, const auto&, const auto& value) { values[name] = field_text(value); });
+  return values;
+}
+
+TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
+  // A change of the text for each field; those that no configuration changes have none.
+  const std::map<std::string, std::array<const char*, 2>> changes{
+      {"packing.lattice", {"[4, 5, 6]", "[4, 5, 7]"}},
+      {"packing.smallest_diameter", {"\"5 mm\"", "\"5.1 mm\""}},
+      {"packing.largest_diameter", {"\"7.5 mm\"", "\"7.6 mm\""}},
+      {"packing.spacing", {}},
+      {"packing.jitter", {}},
+      {"packing.seed", {"seed = 7", "seed = 8"}},
+      {"material.density", {"\"2650 kg/m^3\"", "\"2700 kg/m^3\""}},
+      {"material.youngs_modulus", {"\"2 GPa\"", "\"1.9 GPa\""}},
+      {"material.poisson_ratio", {"poisson_ratio = 0.25", "poisson_ratio = 0.2"}},
+      {"material.restitution", {"restitution = 0.8", "restitution = 0.9"}},
+      {"material.sliding_friction", {"sliding_friction = 0.5", "sliding_friction = 0.4"}},
+      {"material.rolling_friction", {"rolling_friction = 0.1", "rolling_friction = 0.2"}},
+      {"material.rolling_stiffness", {"rolling_stiffness = 2.25", "rolling_stiffness = 1"}},
+      {"material.rolling_viscous_damping", {"rolling_viscous_damping = 0.13", "rolling_viscous_damping = 0"}},
+      {"normal_stress", {"\"1500 kg/m^3\"", "\"1600 kg/m^3\""}},
+      {"shear_stress", {"isotropic = false", "isotropic = true"}},
+      {"preparation_friction", {"preparation_friction = 0.4", "preparation_friction = 0.3"}},
+      {"periodic_height", {"isotropic = false", "isotropic = false\nperiodic_height = true"}},
+      {"drag", {"drag = \"0.06 kg/s\"", "drag = \"0.03 kg/s\""}},
+      {"time_step", {"time_step = \"1e-5 s\"", "time_step = \"5e-6 s\""}},
+      {"loose_void_ratio", {"loose_void_ratio = 1.2", "loose_void_ratio = 1.3"}},
+      {"compaction_rate", {"compaction_rate = \"1 1/s\"", "compaction_rate = \"2 1/s\""}},
+      {"servo_rates", {"\"0.1 1/s\"", "\"0.15 1/s\""}},
+      {"servo_interval", {"servo_interval = 30", "servo_interval = 20"}},
+      {"stress_tolerance", {"stress_tolerance = 1e-3", "stress_tolerance = 1e-2"}},
+      {"kinetic_tolerance", {"kinetic_tolerance = 1e-8", "kinetic_tolerance = 1e-9"}},
+      {"most_steps", {}},
+  };
+  const auto before = leaves(samples_of(with())[0].recipe);
+  for (const auto& [name, value] : before) {
+    ASSERT_TRUE(changes.contains(name)) << name << " is new: say here how a configuration changes it";
+    const auto& [from, to] = changes.at(name);
+    if (from == nullptr) continue;
+    EXPECT_NE(leaves(samples_of(with(from, to))[0].recipe).at(name), value) << name;
+  }
+  EXPECT_EQ(before.size(), changes.size());
+}
+
 TEST(ReadSamples, BearTheStressesOfTheSlope) {
   const auto samples = samples_of(with());
   // Eqs 8 and 9 by hand, compared to the six digits that are written out: sigma_0 of the paper is 28.34 kPa.
@@ -203,7 +254,7 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:20:12: ");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
-                  "packing.lattice = [4, 5] does not have the three counts of a lattice; write it as");
+                  "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list such as");
   // More than an int holds would otherwise come out as some other lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");
@@ -227,7 +278,8 @@ TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
-  EXPECT_CONTAINS(complaint(", \"0.05 1/s\"]", "]"), "stages 2, 3 and 4 have one rate each; give three rates");
+  EXPECT_CONTAINS(complaint(", \"0.05 1/s\"]", "]"),
+                  "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
   EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:27:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
   EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:36:8: sample.loose.drag");

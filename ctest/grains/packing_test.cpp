@@ -130,11 +130,11 @@ TEST(LatticePacking, RefusesOptionsOutOfRange) {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
     }
   };
-  refused([](LatticePacking& o) { o.counts[0] = 2; }, "count along x");
-  refused([](LatticePacking& o) { o.counts[2] = -5; }, "count along z");
-  refused([](LatticePacking& o) { o.smallest_diameter = 0.0; }, "smallest diameter");
-  refused([](LatticePacking& o) { o.smallest_diameter = std::nan(""); }, "smallest diameter");
-  refused([](LatticePacking& o) { o.largest_diameter = 4e-3; }, "largest diameter");
+  refused([](LatticePacking& o) { o.counts[0] = 2; }, "lattice = 2");
+  refused([](LatticePacking& o) { o.counts[2] = -5; }, "lattice = -5");
+  refused([](LatticePacking& o) { o.smallest_diameter = 0.0; }, "smallest_diameter");
+  refused([](LatticePacking& o) { o.smallest_diameter = std::nan(""); }, "smallest_diameter");
+  refused([](LatticePacking& o) { o.largest_diameter = 4e-3; }, "largest_diameter");
   refused([](LatticePacking& o) { o.jitter = -0.01; }, "jitter");
   refused([](LatticePacking& o) { o.spacing = 1.08; }, "spacing");
   EXPECT_THROW(draw_diameters({}, 0), std::invalid_argument);

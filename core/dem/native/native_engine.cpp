@@ -142,6 +142,7 @@ void NativeEngine<Real>::hire(const Cell& cell) {
 template <typename Real>
 void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& settings) {
   settings_ = settings;
+  motion_ = {};
   half_step_ = false;
   require_shear_along_periods(assembly.cell, assembly.cell.shear_velocity * Vector3::UnitX());
   const Cell cell = numbered(assembly.cell);
@@ -232,6 +233,12 @@ void NativeEngine<Real>::prepare_law() {
 
 template <typename Real>
 void NativeEngine<Real>::set(const EngineSettings& settings) {
+  if (settings.material.density != settings_.material.density) {  // grains and pairs keep their masses
+    const BoundaryMotion motion = motion_;
+    load(save(), settings);
+    move(motion);
+    return;
+  }
   finish_step();
   settings_ = settings;
   for (native::Worker<Real>& worker : workers_) worker.boundaries().set(settings);
@@ -240,6 +247,7 @@ void NativeEngine<Real>::set(const EngineSettings& settings) {
 
 template <typename Real>
 void NativeEngine<Real>::move(const BoundaryMotion& motion) {
+  motion_ = motion;
   if (cell().periodic[2]) slide_faces(motion.top_velocity - motion.bottom_velocity);
   for (native::Worker<Real>& worker : workers_) worker.boundaries().move(motion);
   for (const std::uint32_t i : glued_) {

@@ -64,6 +64,7 @@ class NativeEngine : public Engine {
 
   NativeOptions options_;
   EngineSettings settings_;
+  BoundaryMotion motion_;
   native::Grains<Real> grains_;
   std::vector<native::Worker<Real>> workers_;
   std::unique_ptr<native::ThreadTeam> team_;
