@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dem/drag_reference.hpp"
 #include "grains/assembly.hpp"
 #include "grains/material.hpp"
 
@@ -44,12 +45,14 @@ struct CellStress {
 struct EngineSettings {
   Material material;
   double time_step = 5e-7;  ///< dt_L, s
-  double drag = 0.0;        ///< c of the force -c v on each mobile grain, kg/s; for preparation
+  double drag = 0.0;        ///< c of the force -c (v - u) on each mobile grain, kg/s; for preparation
+  DragReference drag_reference = DragReference::rest;  ///< what u is
 
   static constexpr auto fields() {
     return std::tuple{Field{"material", &EngineSettings::material},
                       Field{"time_step", &EngineSettings::time_step, "s", Bounds::positive()},
-                      Field{"drag", &EngineSettings::drag, "kg/s", Bounds::not_negative()}};
+                      Field{"drag", &EngineSettings::drag, "kg/s", Bounds::not_negative()},
+                      Field{"drag_reference", &EngineSettings::drag_reference}};
   }
 };
 static_assert(lists_every_member<EngineSettings>());
@@ -62,7 +65,8 @@ class Engine {
   virtual ~Engine() = default;
 
   /// Replaces what is simulated. Forces and histories are taken as they are, so that `load(save(), settings)` changes
-  /// nothing that a later `run` computes, up to rounding. Until `move`, sheared faces slide on, all else stands still.
+  /// nothing that a later `run` computes, up to rounding. Until `move`, sheared faces slide on, all else stands still:
+  /// a stress that is asked for before the next step takes the boundaries to have stood still in the last one.
   virtual void load(const Assembly& assembly, const EngineSettings& settings) = 0;
   /// The state at the end of the last step; positions along a periodic axis are folded into the cell.
   virtual Assembly save() const = 0;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dem/liggghts/commands.hpp"
+#include "dem/uniform_flow.hpp"
 #include "grains/contact_law.hpp"
 
 namespace flowslide {
@@ -104,9 +105,10 @@ void SteeringFix::push_from_planes() {
 }
 
 void SteeringFix::drag_grains() {
+  const UniformFlow flow = drag_flow(settings_.drag_reference, cell_, motion_);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (role_of(atom->type[i]) != Role::mobile) continue;
-    const Vector3 resistance = -settings_.drag * Vector3::Map(atom->v[i]);
+    const Vector3 resistance = -settings_.drag * (Vector3::Map(atom->v[i]) - flow.at(Vector3::Map(atom->x[i])));
     Vector3::Map(atom->f[i]) += resistance;
     const Vector3 position = Vector3::Map(atom->x[i]) - cell_.lower;
     drag_height_times_force_ += position.z() * resistance;

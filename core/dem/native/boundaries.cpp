@@ -108,9 +108,29 @@ void Boundaries::push(const Share& part, const std::vector<Body<double>>& bodies
     force = static_cast<Real>(force + push_of(*near, bodies[near->grain]));
   }
   if (settings_.drag == 0.0) return;
-  for (std::size_t i = part.begin; i < part.end; ++i)
-    for (int axis = 0; axis < 3 && role[i] == Role::mobile; ++axis)
-      loads[i].force[axis] = static_cast<Real>(loads[i].force[axis] - settings_.drag * bodies[i].velocity[axis]);
+  const UniformFlow flow = drag_flow(settings_.drag_reference, cell_, motion_);
+  for (std::size_t i = part.begin; i < part.end; ++i) {
+    if (role[i] != Role::mobile) continue;
+    const Vector3 drag = drag_on(bodies[i], flow);
+    for (int axis = 0; axis < 3; ++axis) loads[i].force[axis] = static_cast<Real>(loads[i].force[axis] + drag[axis]);
+  }
+}
+
+Vector3 Boundaries::drag_on(const Body<double>& body, const UniformFlow& flow) const {
+  return -settings_.drag * (Vector3::Map(body.velocity) - flow.at(Vector3::Map(body.position)));
+}
+
+void Boundaries::remove_drag_moments(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+                                     StressSums& sums) const {
+  if (settings_.drag == 0.0) return;
+  const UniformFlow flow = drag_flow(settings_.drag_reference, cell_, motion_);
+  for (std::size_t i = share_.begin; i < share_.end; ++i) {
+    if (role[i] != Role::mobile) continue;
+    const Vector3 drag = drag_on(bodies[i], flow);
+    const Vector3 arm = Vector3::Map(bodies[i].position) - cell_.lower;
+    sums.mobile_height_times_force -= arm.z() * drag;
+    sums.mobile_moment -= arm.cwiseProduct(drag);
+  }
 }
 
 template void Boundaries::push(const Share&, const std::vector<Body<double>>&, const std::vector<Role>&,
@@ -140,18 +160,11 @@ double Boundaries::side_speed() const {
 }
 
 MeanFlow Boundaries::mean_flow() const {
+  const UniformFlow uniform = uniform_flow(cell_, motion_);
   MeanFlow flow{};
-  if (cell_.periodic[2]) {  // the momentum stays, and with it the velocity of the centre
-    flow.slope[0] = cell_.shear_velocity / cell_.height();
-    flow.origin = 0.5 * (cell_.lower.z() + cell_.upper.z());
-    return flow;
-  }
-  for (int axis = 0; axis < 3; ++axis) {  // nothing flows through a rigid side
-    if (axis < 2 && !cell_.periodic[axis]) continue;
-    flow.base[axis] = motion_.bottom_velocity[axis];
-    flow.slope[axis] = (motion_.top_velocity[axis] - motion_.bottom_velocity[axis]) / cell_.height();
-  }
-  flow.origin = cell_.lower.z();
+  Vector3::Map(flow.base) = uniform.base;
+  Vector3::Map(flow.slope) = uniform.slope;
+  flow.origin = uniform.origin;
   return flow;
 }
 

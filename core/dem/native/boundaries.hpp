@@ -7,6 +7,8 @@
 #include "dem/native/body.hpp"
 #include "dem/native/motion_pass.hpp"
 #include "dem/native/share.hpp"
+#include "dem/stress_sums.hpp"
+#include "dem/uniform_flow.hpp"
 
 namespace flowslide::native {
 
@@ -34,13 +36,16 @@ class Boundaries {
   template <typename Real>
   void push(const Share& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
             std::vector<Load<Real>>& loads) const;
+  /// Takes the moments of drag on the mobile grains of the share out of `sums`. Velocities are those of the half step.
+  void remove_drag_moments(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+                           StressSums& sums) const;
   /// Adds the forces of the upper planes on the grains, each along its axis, N.
   void add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const;
 
   const Cell& cell() const { return cell_; }
   const EngineSettings& settings() const { return settings_; }
   const BoundaryMotion& motion() const { return motion_; }
-  /// Linear field of velocities that the boundaries impose on the grains.
+  /// Linear field of velocities that the boundaries impose on the grains, without the compression of rigid sides.
   MeanFlow mean_flow() const;
   /// Bound on how fast two grains, or a grain and a plane along z, meet that follow the mean flow and shrinking periods
   /// and are `reach` (m) apart, m/s.
@@ -61,6 +66,8 @@ class Boundaries {
   };
   /// Force of a plane on a grain near it, along the axis, N.
   double push_of(const Near& near, const Body<double>& body) const;
+  /// Drag on a mobile grain, relative to that flow, N.
+  Vector3 drag_on(const Body<double>& body, const UniformFlow& flow) const;
 
   Cell cell_;
   EngineSettings settings_;

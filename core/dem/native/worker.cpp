@@ -231,15 +231,7 @@ void Worker<Real>::add_boundary_forces(StressSums& sums) const {
   boundaries_.add_upper_plane(grains_.bodies, sums.upper_plane);
   for (const std::uint32_t i : grains_.top_layer)
     for (int axis = 0; axis < 3 && share_.owns(i); ++axis) sums.top_force[axis] -= loads_[i].force[axis];
-  const double drag = boundaries_.settings().drag;
-  if (drag == 0.0) return;
-  for (std::size_t i = share_.begin; i < share_.end; ++i) {
-    if (grains_.role[i] != Role::mobile) continue;
-    const Vector3 resistance = -drag * Vector3::Map(grains_.bodies[i].velocity);
-    const Vector3 arm = Vector3::Map(grains_.bodies[i].position) - boundaries_.cell().lower;
-    sums.mobile_height_times_force -= arm.z() * resistance;
-    sums.mobile_moment -= arm.cwiseProduct(resistance);
-  }
+  boundaries_.remove_drag_moments(grains_.bodies, grains_.role, sums);
 }
 
 template <typename Real>

@@ -135,6 +135,28 @@ TEST(Boundaries, DragActsOnMobileGrainsOfTheShare) {
   for (const Load<double>& load : loads) EXPECT_EQ(Vector3::Map(load.force), Vector3(0, 0, 0));
 }
 
+TEST(Boundaries, DragRelativeToTheCompressionIsThatOfTheFieldAndLeavesTheSums) {
+  Assembly cloud = clustered_cloud(4, cube(0.1, false), {.grains = 20});
+  const auto bodies = bodies_of(cloud);
+  Boundaries boundaries(cloud.cell, {Material{}, step, 0.5, DragReference::uniform_compression}, {5, 20});
+  const BoundaryMotion motion{{0, 0, 0.1}, {0, 0, -0.2}, 2.0, -3.0};
+  boundaries.move(motion);
+  std::vector<Load<double>> loads(bodies.size());
+  boundaries.push({5, 20}, bodies, cloud.role, loads);
+  const UniformFlow flow = uniform_flow(cloud.cell, motion);
+  StressSums sums;
+  boundaries.remove_drag_moments(bodies, cloud.role, sums);
+  for (std::size_t i = 5; i < 20; ++i) {
+    const Vector3 force = -0.5 * (cloud.velocity[i] - flow.at(cloud.position[i]));
+    EXPECT_EQ(Vector3::Map(loads[i].force), force);
+    const Vector3 arm = cloud.position[i] - cloud.cell.lower;
+    sums.mobile_height_times_force += arm.z() * force;
+    sums.mobile_moment += arm.cwiseProduct(force);
+  }
+  EXPECT_LT(sums.mobile_height_times_force.norm(), 1e-17);  // N m: 15 terms of 1e-2 N m
+  EXPECT_LT(sums.mobile_moment.norm(), 1e-17);
+}
+
 TEST(Boundaries, FoldsAlongPeriodicAxesAndConfinesAlongRigidOnes) {
   Cell cell = cube(0.04, false);
   cell.periodic[1] = true;
