@@ -75,15 +75,6 @@ double hertz_contact_time(double radius, const Material& material, double impact
   return factor * hertz_impact_overlap(radius, material, impact_speed) / impact_speed;
 }
 
-double coordination_number(const Assembly& assembly) {
-  const auto is_mobile = [&](std::uint32_t i) { return assembly.role[i] == Role::mobile; };
-  const auto mobile = std::count(assembly.role.begin(), assembly.role.end(), Role::mobile);
-  if (mobile == 0) return 0.0;
-  std::int64_t ends = 0;
-  for (const TouchingPair& pair : touching_pairs(assembly)) ends += is_mobile(pair.first) + is_mobile(pair.second);
-  return static_cast<double>(ends) / static_cast<double>(mobile);
-}
-
 double mean_overlap(const Assembly& assembly) {
   const auto pairs = touching_pairs(assembly);
   if (pairs.empty()) return 0.0;

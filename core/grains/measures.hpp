@@ -36,9 +36,6 @@ double hertz_contact_time(double radius, const Material& material, double impact
 /// Largest overlap (m) of that impact.
 double hertz_impact_overlap(double radius, const Material& material, double impact_speed);
 
-/// Mean number of contacts of a mobile grain with grains of any role (planes not counted). 0 if none is mobile.
-double coordination_number(const Assembly& assembly);
-
 /// Mean overlap (m) of all touching pairs, pairs of one glued layer left out. 0 if none touch.
 double mean_overlap(const Assembly& assembly);
 

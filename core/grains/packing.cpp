@@ -2,20 +2,14 @@
 #include "grains/packing.hpp"
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <utility>
 
+#include "grains/random.hpp"
 #include "grains/require.hpp"
 
 namespace flowslide {
 namespace {
-
-/// The standard fixes the sequence of the engine but not of its distributions: the latter are written out here.
-using Generator = std::mt19937_64;
-
-/// Uniform in [0, 1) with 53 random bits.
-double uniform(Generator& generator) { return static_cast<double>(generator() >> 11) * 0x1.0p-53; }
 
 void shuffle(std::vector<double>& values, Generator& generator) {
   for (std::size_t left = values.size(); left > 1; --left)

@@ -7,23 +7,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cubic_lattice.hpp"
+
 namespace flowslide {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// n^3 spheres of diameter 1 m, their centres `spacing` (m) apart and half of that from the boundaries of the cell.
-Assembly cubic_lattice(int n, double spacing, bool periodic) {
-  Assembly assembly;
-  assembly.resize(static_cast<std::size_t>(n) * n * n);
-  assembly.cell.upper = Vector3::Constant(n * spacing);
-  assembly.cell.periodic = {periodic, periodic, periodic};
-  for (int i = 0; i < n * n * n; ++i) {
-    assembly.radius[i] = 0.5;
-    assembly.position[i] = spacing * Vector3(i % n + 0.5, i / n % n + 0.5, i / n / n + 0.5);
-  }
-  return assembly;
-}
+using testing::cubic_lattice;
 
 TEST(VoidRatio, OfACubicLattice) {
   // A sphere of volume pi/6 in each unit cube. Tolerance: rounding.
@@ -113,24 +104,6 @@ TEST(HertzImpact, OfTwoEqualSpheres) {
   EXPECT_NEAR(hertz_impact_overlap(2.0, material, 32.0), 16.0, 1e-12);
   EXPECT_NEAR(hertz_contact_time(2.0, material, 32.0), hertz_factor() / 2.0, 1e-8);
   EXPECT_THROW(hertz_contact_time(2.0, material, 0.0), std::invalid_argument);
-}
-
-TEST(CoordinationNumber, OfACubicLattice) {
-  EXPECT_EQ(coordination_number(cubic_lattice(4, 0.99, true)), 6.0);
-  // Without images: 3 * 2 * 3 * 3 contacts of 27 grains, two ends each.
-  EXPECT_EQ(coordination_number(cubic_lattice(3, 0.99, false)), 4.0);
-  EXPECT_EQ(coordination_number(cubic_lattice(3, 1.01, false)), 0.0);
-  EXPECT_EQ(coordination_number(Assembly{}), 0.0);
-}
-
-TEST(CoordinationNumber, IsThatOfMobileGrains) {
-  Assembly assembly = cubic_lattice(3, 0.99, false);
-  for (int i = 0; i < 9; ++i) {
-    assembly.role[i] = Role::bottom_layer;
-    assembly.role[18 + i] = Role::top_layer;
-  }
-  // The nine mobile grains have 12 contacts among them (two ends each) and one with each layer.
-  EXPECT_DOUBLE_EQ(coordination_number(assembly), (24.0 + 18.0) / 9.0);
 }
 
 TEST(MeanOverlap, OfACubicLattice) {
