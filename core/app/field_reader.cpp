@@ -38,6 +38,10 @@ void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value) 
 
 void read_value(const Tables& tables, const FieldKey& key, bool& value) { value = tables.flag(key.name); }
 
+void read_value(const Tables& tables, const FieldKey& key, DragReference& value) {
+  value = drag_reference_of(tables.text(key.name, drag_reference_names()));
+}
+
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values) {
   take_three(tables, key, tables.quantities(key.name, key.dimension(), key.range()), values);
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/tables.hpp"
+#include "dem/drag_reference.hpp"
 #include "grains/fields.hpp"
 
 namespace flowslide {
@@ -27,6 +28,7 @@ void read_value(const Tables& tables, const FieldKey& key, double& value);
 void read_value(const Tables& tables, const FieldKey& key, int& value);
 void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value);
 void read_value(const Tables& tables, const FieldKey& key, bool& value);
+void read_value(const Tables& tables, const FieldKey& key, DragReference& value);
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values);
 void read_value(const Tables& tables, const FieldKey& key, std::array<int, 3>& values);
 

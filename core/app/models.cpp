@@ -26,12 +26,21 @@ LatticePacking read_packing(const Configuration& configuration, const TableNames
   return packing;
 }
 
+/// The stages in which drag acts, written as a list of their numbers.
+std::array<bool, 4> read_drag_stages(const Tables& table) {
+  std::array<bool, 4> acts{};
+  for (const std::int64_t stage : table.integers("drag_stages", Range::between(1, 4))) acts[stage - 1] = true;
+  return acts;
+}
+
 /// The recipe but for the grains and for what differs between the samples of a configuration.
 SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
   SampleRecipe recipe;
-  read_fields(Tables(configuration, tables), recipe,
+  read_fields(table, recipe,
               {"packing", "material", "normal_stress", "shear_stress", "preparation_friction", "periodic_height",
-               "drag", "most_steps"});
+               "drag", "drag_stages", "most_steps"});
+  recipe.drag_stages = read_drag_stages(table);
   return recipe;
 }
 

@@ -43,7 +43,7 @@ PreparationState read(const hdf5::Group& root, const std::string& key) {
   if (group.text_attribute("key") != key) throw CorruptFileError(group.label() + " is of another sample");
   PreparationState state;
   const std::int64_t stage = group.integer_attribute("stage");
-  if (stage < 1 || stage > 5) throw CorruptFileError(fmt::format("{}: stage {}", group.label(), stage));
+  if (stage < 0 || stage > 5) throw CorruptFileError(fmt::format("{}: stage {}", group.label(), stage));
   state.stage = static_cast<int>(stage);
   for_each_number(state, ReadNumber{group});
   state.assembly = read_finite_assembly(group, "grains");

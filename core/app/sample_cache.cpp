@@ -83,11 +83,11 @@ PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe,
   const std::optional<PreparationState> from = checkpoints.find();
   const std::int64_t done = from ? from->steps : 0;
   Progress progress(label, std::max(typical_steps, done), style, done);
-  if (from) progress.message(fmt::format("{}: goes on in stage {} of 4", label, std::min(from->stage, 4)));
+  if (from) progress.message(fmt::format("{}: goes on in {}", label, name_of_stage(from->stage)));
   const auto observe = [&](const PreparationProgress& now) {
     if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
-    progress.update(now.steps, fmt::format("stage {} of 4, e {:.3f}, sigma {:.0f} Pa", std::min(now.stage, 4),
-                                           now.void_ratio, now.stress.normal));
+    progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
+                                           now.stress.normal));
     if (border) border([&] { return checkpoints.keep(now.state()); });
   };
   try {

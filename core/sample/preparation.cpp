@@ -7,10 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "grains/agitation.hpp"
 #include "grains/measures.hpp"
 #include "sample/failure.hpp"
 #include "sample/glued_layers.hpp"
 #include "sample/health.hpp"
+#include "sample/mixing.hpp"
 #include "sample/servo.hpp"
 
 namespace flowslide {
@@ -22,6 +24,7 @@ constexpr double layer_reach = 0.25;
 constexpr double intermediate_tolerance = 1e-2;
 /// Steps between two looks at the whole assembly.
 constexpr std::int64_t inspection_interval = 1500;
+constexpr const char* mend_of_servo = "lower the servo rates, or the tolerance, or try another seed";
 
 class Preparation {
  public:
@@ -34,9 +37,11 @@ class Preparation {
     grains_ = packing.size();
     solid_volume_ = packing.solid_volume();
     if (from != nullptr) go_on(*from);
-    else engine_.load(packing, settings());
+    else
+      begin_with(packing);
     while (stage_ < 5) {
       switch (stage_) {
+        case 0: mix(); break;
         case 1: compact(); break;
         case 2: reach({0.1 * recipe_.normal_stress, {}, recipe_.servo_rates[0]}, intermediate_tolerance); break;
         case 3: reach({0.2 * recipe_.normal_stress, {}, recipe_.servo_rates[1]}, intermediate_tolerance); break;
@@ -53,9 +58,19 @@ class Preparation {
 
   /// Those of the stage.
   EngineSettings settings() const {
-    EngineSettings settings{recipe_.material, recipe_.time_step, stage_ < 5 ? recipe_.drag : 0.0};
+    const bool drags = stage_ >= 1 && stage_ <= 4 && recipe_.drag_stages[stage_ - 1];
+    EngineSettings settings{recipe_.material, recipe_.time_step, drags ? recipe_.drag : 0.0, recipe_.drag_reference};
     if (stage_ < 4) settings.material.sliding_friction = recipe_.preparation_friction;
     return settings;
+  }
+
+  void begin_with(Assembly& packing) {
+    stage_ = recipe_.mixing_velocity > 0.0 ? 0 : 1;
+    if (stage_ == 0) {
+      agitate(packing, recipe_.mixing_velocity, recipe_.packing.seed);
+      next_inspection_ = steps_between_looks(recipe_);
+    }
+    engine_.load(packing, settings());
   }
 
   void begin(int stage) {
@@ -68,7 +83,7 @@ class Preparation {
       if (stage == 3) assembly.cell.periodic = {true, true, recipe_.periodic_height};
       else if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
       engine_.load(assembly, settings());
-    } else if (stage == 5) {
+    } else if (stage == 5 || settings().drag != engine_.settings().drag) {
       engine_.set(settings());
     }
   }
@@ -101,6 +116,25 @@ class Preparation {
     if (observe_) observe_({stage_, steps_, present_void_ratio(), stress_, [this] { return state(); }});
   }
 
+  /// Lets the grains fly about until their lattice is forgotten.
+  void mix() {
+    while (true) {
+      advance(recipe_.servo_interval);
+      if (steps_ >= next_inspection_) {
+        const Assembly assembly = engine_.save();
+        check_assembly(assembly);
+        check_contact_time_step(assembly, recipe_.material, recipe_.time_step);
+        next_inspection_ = steps_ + steps_between_looks(recipe_);
+        const LatticeMemory memory = lattice_memory(assembly, recipe_.packing);
+        if (memory.forgotten()) return;
+        if (steps_ > recipe_.most_steps)
+          fail(fmt::format("the order at the wave number of the lattice is {}", memory.text()),
+               "choose a faster mixing, or allow more steps");
+      }
+      observe();
+    }
+  }
+
   void compact() {
     const double rate = recipe_.compaction_rate;
     while (present_void_ratio() > recipe_.loose_void_ratio) {
@@ -112,7 +146,8 @@ class Preparation {
       motion.top_velocity.z() = -0.5 * rate * cell.height();
       engine_.move(motion);
       advance(recipe_.servo_interval);
-      if (steps_ - stage_start_ > recipe_.most_steps) fail("the void ratio did not fall to its target");
+      if (steps_ - stage_start_ > recipe_.most_steps)
+        fail("the void ratio did not fall to its target", "choose a faster compaction, or allow more steps");
       observe();
     }
   }
@@ -135,7 +170,8 @@ class Preparation {
       }
       if (steps_ - stage_start_ > recipe_.most_steps)
         fail(fmt::format("the stresses are within {:.3g} of sigma_0, the tolerance is {}",
-                         servo_deviation(target, stress_), tolerance));
+                         servo_deviation(target, stress_), tolerance),
+             mend_of_servo);
       observe();
     }
   }
@@ -161,17 +197,16 @@ class Preparation {
     constexpr double drift_factor = 4.0;
     const double deviation = servo_deviation(target, stress_);
     if (deviation > drift_factor * recipe_.stress_tolerance)
-      fail(fmt::format("at rest the stress drifted to {:.3g} of sigma_0 from its target", deviation));
+      fail(fmt::format("at rest the stress drifted to {:.3g} of sigma_0 from its target", deviation), mend_of_servo);
     return sample;
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw NumericalFailure(
-        fmt::format("sample preparation, stage {}, after {} steps: {} (e = {:.4f}, sigma = {:.5g} Pa, tau = {:.5g} Pa, "
-                    "lateral {:.5g} "
-                    "and {:.5g} Pa); lower the servo rates, or the tolerance, or try another seed",
-                    stage_, steps_, what, present_void_ratio(), stress_.normal, stress_.shear, stress_.lateral_x,
-                    stress_.lateral_y));
+  [[noreturn]] void fail(const std::string& what, const char* mend) const {
+    throw NumericalFailure(fmt::format(
+        "sample preparation, {}, after {} steps: {} (e = {:.4f}, sigma = {:.5g} Pa, tau = {:.5g} Pa, lateral "
+        "{:.5g} and {:.5g} Pa); {}",
+        name_of_stage(stage_), steps_, what, present_void_ratio(), stress_.normal, stress_.shear, stress_.lateral_x,
+        stress_.lateral_y, mend));
   }
 
   Engine& engine_;
@@ -185,6 +220,11 @@ class Preparation {
 };
 
 }  // namespace
+
+std::string name_of_stage(int stage) {
+  if (stage == 0) return "mixing";
+  return stage <= 4 ? fmt::format("stage {} of 4", stage) : "rest";
+}
 
 PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe,
                               const PreparationState* from) {

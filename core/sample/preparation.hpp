@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "dem/engine.hpp"
 #include "sample/recipe.hpp"
@@ -20,11 +21,11 @@ struct PreparedSample {
 
 /// All that a preparation goes on from, between two looks of its servo.
 struct PreparationState {
-  int stage = 1;                      ///< 1 to 4; 5 is the last rest
+  int stage = 1;                      ///< 0 is the mixing; 1 to 4; 5 is the last rest
   std::int64_t steps = 0;             ///< of this sample so far
   std::int64_t stage_start = 0;       ///< steps when the stage began
   std::int64_t within = 0;            ///< steps for which the stresses have been within their tolerance
-  std::int64_t next_inspection = 0;   ///< steps at which the time step is held against the contacts again
+  std::int64_t next_inspection = 0;   ///< steps at which the time step, and what is left of the lattice, are looked at
   CellStress stress;
   Assembly assembly;
 };
@@ -39,11 +40,17 @@ struct PreparationProgress {
 };
 using PreparationObserver = std::function<void(const PreparationProgress&)>;
 
-/// Prepares a sample in the four stages of the paper (sec. 2.2.1; refs 37, 38): (1) six rigid planes compress a sparse
-/// lattice packing at constant rate until e = 1.2; (2) a servo brings it to 0.1 sigma_0; (3) the lateral planes become
+/// A stage in words: "mixing", "stage 3 of 4", "rest".
+std::string name_of_stage(int stage);
+
+/// Prepares a sample in the four stages of the paper (sec. 2.2.1; refs 37, 38), after a stage 0 if the recipe has one:
+/// (0) the grains of a sparse lattice packing fly about without drag between planes at rest, until there is no more of
+/// the lattice in their positions than in random ones (see lattice_memory); (1) six rigid planes compress them at
+/// constant rate until e = 1.2; (2) a servo brings it to 0.1 sigma_0; (3) the lateral planes become
 /// periodic, 0.2 sigma_0; (4) a layer is glued to the bottom and the top, mu = 0.5, and the servo brings the normal
-/// stresses to sigma_0 and the shear stress to tau_0. Stages 1 to 3 use mu_1 and all stages a viscous drag, without
-/// which the collapsing gas stays agitated and always ends dense; the sample then rests without it. With
+/// stresses to sigma_0 and the shear stress to tau_0. Stages 0 to 3 use mu_1. A viscous drag
+/// acts in those stages that the recipe names: without it the collapsing gas stays agitated and always ends dense. The
+/// sample then rests without it. What motion the mixing leaves goes on in stage 1. With
 /// `periodic_height` the same stages run in a cell without planes and layers, sheared across its faces.
 /// Leaves the sample loaded in `engine` with the settings of the recipe. Throws NumericalFailure if a stage does not
 /// reach its target, or the sample does not hold its stress at rest.

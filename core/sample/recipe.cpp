@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sample/health.hpp"
+#include "sample/mixing.hpp"
 
 namespace flowslide {
 
@@ -20,6 +21,7 @@ void validate(const SampleRecipe& recipe) {
                                 "normal_stress, " +
                                 field_text(limit) + " Pa; no packing bears more");
   validate_time_step(recipe.time_step, 0.5 * recipe.packing.smallest_diameter, recipe.material);
+  validate_impacts(recipe);
 }
 
 }  // namespace flowslide

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "dem/drag_reference.hpp"
 #include "grains/material.hpp"
 #include "grains/packing.hpp"
 
 namespace flowslide {
 
-/// Everything that determines a prepared sample. The four stages are those of the paper, sec. 2.2.1.
+/// Everything that determines a prepared sample. Stages 1 to 4 are those of the paper, sec. 2.2.1.
 struct SampleRecipe {
   LatticePacking packing;
   Material material;                      ///< of the finished sample (Table 1)
@@ -18,7 +19,11 @@ struct SampleRecipe {
   double preparation_friction = 0.3;      ///< mu_1 of stages 1 to 3; decides the density
   bool periodic_height = false;           ///< all three axes are periodic from stage 1 on and no layer is glued: for
                                           ///< homogeneous shear across the faces
-  double drag = 0.03;                     ///< c of the force -c v on each grain, kg/s; off before the sample is used
+  double drag = 0.03;  ///< c of the force -c (v - u) on each grain, kg/s; off before the sample is used
+  DragReference drag_reference = DragReference::rest;       ///< what u is
+  std::array<bool, 4> drag_stages{true, true, true, true};  ///< whether drag acts in stages 1, 2, 3 and 4
+  double mixing_velocity = 0.0;           ///< stage 0: the packing flies about until its lattice is forgotten. Standard
+                                          ///< deviation of each component, m/s; 0: there is no such stage
   double time_step = 1e-5;                ///< dt_L of the preparation, s
 
   double loose_void_ratio = 1.2;          ///< end of stage 1
@@ -42,6 +47,9 @@ struct SampleRecipe {
         Field{"preparation_friction", &SampleRecipe::preparation_friction, "1", Bounds::between(0.0, 2.0)},
         Field{"periodic_height", &SampleRecipe::periodic_height},
         Field{"drag", &SampleRecipe::drag, "kg/s", Bounds::not_negative()},
+        Field{"drag_reference", &SampleRecipe::drag_reference},
+        Field{"drag_stages", &SampleRecipe::drag_stages},
+        Field{"mixing", &SampleRecipe::mixing_velocity, "m/s", Bounds::not_negative()},
         Field{"time_step", &SampleRecipe::time_step, "s", Bounds::positive()},
         Field{"loose_void_ratio", &SampleRecipe::loose_void_ratio, "1", Bounds::inside(0.95, 4.0)},
         Field{"compaction_rate", &SampleRecipe::compaction_rate, "1/s", Bounds::positive()},

@@ -44,6 +44,9 @@ servo_rates = ["0.2 1/s", "0.1 1/s", "0.05 1/s"]
 servo_interval = 30
 stress_tolerance = 1e-3
 kinetic_tolerance = 1e-8
+mixing = "0 m/s"
+drag_reference = "rest"
+drag_stages = [1, 2, 3, 4]
 [sample.loose]
 void_ratio = 0.79
 tolerance = 0.002
@@ -160,6 +163,26 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
   EXPECT_EQ(recipe.servo_interval, 30);
   EXPECT_EQ(recipe.stress_tolerance, 1e-3);
   EXPECT_EQ(recipe.kinetic_tolerance, 1e-8);
+  EXPECT_EQ(recipe.mixing_velocity, 0.0);
+  EXPECT_EQ(recipe.drag_reference, DragReference::rest);
+}
+
+TEST(ReadSamples, TakeTheStagesInWhichDragActs) {
+  using Stages = std::array<bool, 4>;
+  EXPECT_EQ(samples_of(with())[0].recipe.drag_stages, (Stages{true, true, true, true}));
+  EXPECT_EQ(samples_of(with("[1, 2, 3, 4]", "[3, 1]"))[0].recipe.drag_stages, (Stages{true, false, true, false}));
+  EXPECT_CONTAINS(complaint("[1, 2, 3, 4]", "[1, 5]"), "preparation.drag_stages = 5 is not allowed");
+  EXPECT_CONTAINS(complaint("[1, 2, 3, 4]", "[]"), "preparation.drag_stages = [] is empty");
+}
+
+TEST(ReadSamples, RefuseToGuessHowAPackingIsMixedAndWhatDragIsRelativeTo) {
+  for (const char* key : {"mixing", "drag_reference", "drag_stages"}) {
+    const std::string name = key;
+    EXPECT_CONTAINS(complaint(name + " = ", name + "_was = "), "\"preparation." + name + "\" is missing");
+  }
+  EXPECT_CONTAINS(complaint("\"rest\"", "\"moon\""), "\"moon\"");
+  EXPECT_CONTAINS(complaint("mixing = \"0 m/s\"", "mixing = \"-1 m/s\""), "preparation.mixing");
+  EXPECT_CONTAINS(complaint("mixing = \"0 m/s\"", "mixing = \"50 m/s\""), "overlap");
 }
 
 /// Values of the leaves of a recipe, by name.
@@ -192,6 +215,9 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
       {"preparation_friction", {"preparation_friction = 0.4", "preparation_friction = 0.3"}},
       {"periodic_height", {"isotropic = false", "isotropic = false\nperiodic_height = true"}},
       {"drag", {"drag = \"0.06 kg/s\"", "drag = \"0.03 kg/s\""}},
+      {"drag_reference", {"\"rest\"", "\"uniform compression\""}},
+      {"drag_stages", {"[1, 2, 3, 4]", "[2, 3]"}},
+      {"mixing", {"\"0 m/s\"\n", "\"0.4 m/s\"\n"}},
       {"time_step", {"time_step = \"1e-5 s\"", "time_step = \"5e-6 s\""}},
       {"loose_void_ratio", {"loose_void_ratio = 1.2", "loose_void_ratio = 1.3"}},
       {"compaction_rate", {"compaction_rate = \"1 1/s\"", "compaction_rate = \"2 1/s\""}},
@@ -271,10 +297,10 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
   EXPECT_CONTAINS(complaint("void_ratio = 0.79", "void_ratio = 0.3"),
-                  "case.toml:32:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:39:14: sample.isotropic.void_ratio");
-  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:33:13: sample.loose.tolerance = 0");
-  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:34:15: sample.loose.most_trials = 0");
+                  "case.toml:35:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
+  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:42:14: sample.isotropic.void_ratio");
+  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:36:13: sample.loose.tolerance = 0");
+  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:37:15: sample.loose.most_trials = 0");
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
@@ -282,7 +308,7 @@ TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
                   "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
   EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:27:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
-  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:36:8: sample.loose.drag");
+  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:39:8: sample.loose.drag");
   EXPECT_CONTAINS(complaint("isotropic = false\n", ""), "\"sample.loose.isotropic\" is missing: true or false");
 }
 

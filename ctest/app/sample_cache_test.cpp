@@ -141,7 +141,7 @@ TEST_F(SampleCache, TriesAgainWithMoreSteps) {
   ElasticBlock engine;
   const auto [code, message] = end(engine, brief);
   EXPECT_EQ(code, 3);
-  EXPECT_CONTAINS(message, "stage 1, after 90 steps: the void ratio did not fall to its target");
+  EXPECT_CONTAINS(message, "stage 1 of 4, after 90 steps: the void ratio did not fall to its target");
   EXPECT_EQ(end(engine, brief).second, message);
   EXPECT_EQ(engine.steps(), 90);
   find(engine);

@@ -39,6 +39,9 @@ servo_rates = ["0.2 1/s", "0.1 1/s", "0.05 1/s"]
 servo_interval = 30
 stress_tolerance = 5e-3
 kinetic_tolerance = 1e-8
+mixing = "0 m/s"
+drag_reference = "rest"
+drag_stages = [1, 2, 3, 4]
 [sample.loose]
 void_ratio = 0.79
 tolerance = 0.2

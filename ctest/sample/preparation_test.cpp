@@ -9,6 +9,7 @@
 #include "record/same_bits.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/failure.hpp"
+#include "sample/mixing.hpp"
 
 namespace flowslide {
 namespace {
@@ -71,19 +72,31 @@ TEST(Preparation, WithAPeriodicHeightReachesTheSameTargetsWithoutLayers) {
   EXPECT_NE(sample.assembly.cell.shear_offset, 0.0);
 }
 
-class PreparationFromAState : public testing::TestWithParam<bool> {};
+/// Recipes that go on in other ways between two stages.
+struct Way {
+  const char* name;
+  bool periodic_height, mixed;
+};
+
+class PreparationFromAState : public testing::TestWithParam<Way> {};
 
 TEST_P(PreparationFromAState, GoesOnWithTheSameBits) {
   SampleRecipe recipe = small_recipe();
-  recipe.periodic_height = GetParam();
+  recipe.periodic_height = GetParam().periodic_height;
+  if (GetParam().mixed) {
+    recipe.mixing_velocity = 0.5;
+    recipe.drag_reference = DragReference::uniform_compression;
+    recipe.drag_stages = {true, true, true, false};
+  }
+  const int first = GetParam().mixed ? 0 : 1;
   std::vector<PreparationState> states;  // the twentieth of each stage, and the second of the last rest
   int looks = 0;
   const PreparedSample whole =
       prepare_sample(*make_engine("native", "/dev/null"), recipe, [&](const PreparationProgress& now) {
-        looks = states.size() + 1 == static_cast<std::size_t>(now.stage) ? looks + 1 : 0;
+        looks = static_cast<int>(states.size()) + first == now.stage ? looks + 1 : 0;
         if (looks == (now.stage < 5 ? 20 : 2)) states.push_back(now.state());
       });
-  ASSERT_EQ(states.size(), 5U);
+  ASSERT_EQ(static_cast<int>(states.size()), 6 - first);
   for (const PreparationState& state : states) {
     const PreparedSample resumed = prepare_sample(*make_engine("native", "/dev/null"), recipe, {}, &state);
     EXPECT_EQ(resumed.steps, whole.steps) << "stage " << state.stage;
@@ -98,7 +111,51 @@ TEST_P(PreparationFromAState, GoesOnWithTheSameBits) {
   EXPECT_THROW(prepare_sample(*make_engine("native", "/dev/null"), recipe, {}, &other), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithAndWithoutAPeriodicHeight, PreparationFromAState, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Preparations, PreparationFromAState,
+                         testing::Values(Way{"lattice", false, false}, Way{"mixed", false, true},
+                                         Way{"periodic_height", true, false}, Way{"mixed_periodic_height", true, true}),
+                         [](const auto& way) { return way.param.name; });
+
+TEST(Preparation, MixesUntilTheLatticeIsForgottenAndTellsIfItIsNot) {
+  SampleRecipe recipe = small_recipe();
+  recipe.packing.counts = {8, 8, 9};
+  recipe.mixing_velocity = 0.5;
+  const auto engine = make_engine("native", "");
+  struct Enough {};
+  double agitated = 0.0;
+  try {
+    prepare_sample(*engine, recipe, [&](const PreparationProgress& now) {
+      if (now.stage == 0) agitated = std::max(agitated, now.state().assembly.velocity[5].norm());
+      if (now.stage == 1) throw Enough{};
+    });
+  } catch (const Enough&) {
+  }
+  EXPECT_GT(agitated, 0.1);
+  // The first steps of stage 1 have changed little.
+  EXPECT_TRUE(lattice_memory(engine->save(), recipe.packing).forgotten());
+  recipe.most_steps = 60;
+  try {
+    prepare_sample(*engine, recipe);
+    FAIL() << "60 steps were enough";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("mixing, after"), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("faster mixing"), std::string::npos) << failure.what();
+  }
+}
+
+TEST(Preparation, DragActsInTheStagesThatAreNamed) {
+  SampleRecipe recipe = small_recipe();
+  recipe.mixing_velocity = 0.5;
+  recipe.drag_reference = DragReference::uniform_compression;
+  recipe.drag_stages = {false, true, false, true};
+  const auto engine = make_engine("native", "");
+  std::vector<double> drags(6, -1.0);
+  prepare_sample(*engine, recipe, [&](const PreparationProgress& now) {
+    drags[static_cast<std::size_t>(now.stage)] = engine->settings().drag;
+    EXPECT_EQ(engine->settings().drag_reference, DragReference::uniform_compression);
+  });
+  EXPECT_EQ(drags, (std::vector<double>{0.0, 0.0, recipe.drag, 0.0, recipe.drag, 0.0}));
+}
 
 TEST(Preparation, SaysWhichStageFailed) {
   const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");

@@ -50,6 +50,8 @@ TEST(Recipe, RefusesWhatCannotBePrepared) {
       [](SampleRecipe& r) { r.stress_tolerance = 0.0; },
       [](SampleRecipe& r) { r.time_step = 1.2e-5; },  // 0.77 Rayleigh times
       [](SampleRecipe& r) { r.time_step = std::nan(""); },
+      [](SampleRecipe& r) { r.mixing_velocity = -0.5; },
+      [](SampleRecipe& r) { r.mixing_velocity = 50.0; },
   };
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
     SampleRecipe recipe;

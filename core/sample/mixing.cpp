@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "sample/mixing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "grains/measures.hpp"
+#include "grains/time_step_share.hpp"
+#include "sample/health.hpp"
+
+namespace flowslide {
+namespace {
+
+/// Speed of two of the fastest grains towards each other, in mixing velocities.
+constexpr double fastest_approach = 6.0;
+
+/// Order over what a random packing has.
+double excess(const MiddleOrder& order) { return order.value / order_of_random_positions(order.grains); }
+
+/// Two of the smallest grains at the largest overlap of a head-on impact.
+Assembly impact(double radius, double overlap) {
+  Assembly pair;
+  pair.resize(2);
+  pair.radius = {radius, radius};
+  pair.position[1].x() = 2.0 * radius - overlap;
+  pair.cell.lower.setConstant(-10.0 * radius);
+  pair.cell.upper.setConstant(10.0 * radius);
+  return pair;
+}
+
+}  // namespace
+
+bool LatticeMemory::forgotten() const {
+  return std::all_of(order.begin(), order.end(), [](const MiddleOrder& along) { return excess(along) <= 1.0; });
+}
+
+std::string LatticeMemory::text() const {
+  const auto most = std::max_element(order.begin(), order.end(),
+                                     [](const MiddleOrder& a, const MiddleOrder& b) { return excess(a) < excess(b); });
+  return fmt::format("{:.3g} along {}, where {:.3g} is allowed", most->value, "xyz"[most - order.begin()],
+                     order_of_random_positions(most->grains));
+}
+
+LatticeMemory lattice_memory(const Assembly& assembly, const LatticePacking& packing) {
+  LatticeMemory memory;
+  for (int axis = 0; axis < 3; ++axis) memory.order[axis] = middle_order(assembly, axis, packing.counts[axis]);
+  return memory;
+}
+
+std::int64_t steps_between_looks(const SampleRecipe& recipe) {
+  const double way = recipe.packing.spacing * recipe.packing.largest_diameter;
+  const double steps = way / (recipe.mixing_velocity * recipe.time_step);
+  return static_cast<std::int64_t>(std::clamp(steps, 1.0, static_cast<double>(recipe.most_steps)));
+}
+
+void validate_impacts(const SampleRecipe& recipe) {
+  if (recipe.mixing_velocity == 0.0) return;
+  const double radius = 0.5 * recipe.packing.smallest_diameter;
+  const double overlap = hertz_impact_overlap(radius, recipe.material, fastest_approach * recipe.mixing_velocity);
+  if (overlap > 2.0 * radius * largest_overlap)
+    throw std::invalid_argument(fmt::format(
+        "mixing = {} m/s makes grains overlap by up to {:.3g} of their diameter, more than the {} that spheres may; "
+        "choose a slower mixing, or stiffer grains",
+        recipe.mixing_velocity, 0.5 * overlap / radius, largest_overlap));
+  const double share = time_step_share(impact(radius, overlap), recipe.material, recipe.time_step);
+  if (share >= 1.0)
+    throw std::invalid_argument(
+        fmt::format("the time step {} s is too long for the impacts of mixing = {} m/s: choose one of at most {:.2g} "
+                    "s, or a slower "
+                    "mixing",
+                    recipe.time_step, recipe.mixing_velocity, 0.95 * time_step_at_edge(recipe.time_step, share)));
+}
+
+}  // namespace flowslide
