@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "app/error.hpp"
+#include "app/sample_health.hpp"
 #include "record/atomic_file.hpp"
 #include "record/result_file.hpp"
 
@@ -41,6 +42,7 @@ Run read_run(const fs::path& file) {
     const Result result = read_result(file);
     run.provenance = result.provenance;
     run.configuration_hash = result.configuration_hash;
+    run.sample = health_line(result.metrics);
   } catch (const FileError& error) {
     run.problem = error.what();
   }

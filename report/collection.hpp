@@ -22,6 +22,7 @@ struct Run {
   std::filesystem::path file;
   Provenance provenance = {};
   std::string configuration_hash = {};
+  std::string sample = {};         ///< health of its sample, see health_line of app/sample_health.hpp
   std::string problem = {};        ///< why the file could not be read; empty when all else is valid
 };
 

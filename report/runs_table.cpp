@@ -28,15 +28,16 @@ std::string files_of(const Run& run, const std::filesystem::path& folder) {
 
 std::string row(const Run& run, const std::filesystem::path& folder) {
   if (!run.problem.empty())
-    return fmt::format("<tr><th scope=\"row\">{}</th><td colspan=\"8\" class=\"problem\">{}</td></tr>\n",
+    return fmt::format("<tr><th scope=\"row\">{}</th><td colspan=\"9\" class=\"problem\">{}</td></tr>\n",
                        escaped(run.file.filename().string()), escaped(run.problem));
   const Provenance& from = run.provenance;
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td>{}</td><td>{} {}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-      "<td class=\"number\">{}</td><td>{}</td><td><code>{:.10}</code></td><td><code>{}</code></td></tr>\n",
+      "<td class=\"number\">{}</td><td>{}</td><td><code>{:.10}</code></td><td><code>{}</code></td>"
+      "<td class=\"small\">{}</td></tr>\n",
       escaped(from.point), files_of(run, folder), escaped(from.engine), escaped(from.engine_version), from.seed,
       from.mpi_ranks, std::isfinite(from.processor_seconds) ? duration_text(from.processor_seconds) : "",
-      escaped(from.start_time), escaped(run.configuration_hash), escaped(code_state(from)));
+      escaped(from.start_time), escaped(run.configuration_hash), escaped(code_state(from)), escaped(run.sample));
 }
 
 /// What is mostly alike for all runs, once each: compiler and host, and how the runs were called.
@@ -62,8 +63,10 @@ std::string runs_table(const std::vector<Run>& runs, const std::filesystem::path
   std::string html =
       "<div class=\"wide\"><table class=\"runs\"><thead><tr><th scope=\"col\">Point</th><th scope=\"col\">Data</th>"
       "<th scope=\"col\">Engine</th><th scope=\"col\" class=\"number\">Seed</th>"
-      "<th scope=\"col\" class=\"number\">Ranks</th><th scope=\"col\" class=\"number\">Processor time</th><th scope=\"col\">Started (UTC)</th>"
-      "<th scope=\"col\">Configuration</th><th scope=\"col\">Code</th></tr></thead><tbody>\n";
+      "<th scope=\"col\" class=\"number\">Ranks</th><th scope=\"col\" class=\"number\">Processor time</th><th "
+      "scope=\"col\">Started (UTC)</th>"
+      "<th scope=\"col\">Configuration</th><th scope=\"col\">Code</th><th "
+      "scope=\"col\">Sample</th></tr></thead><tbody>\n";
   std::vector<Provenance> points;
   for (const Run& run : runs) {
     html += row(run, folder);

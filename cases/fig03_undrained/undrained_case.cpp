@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
+#include <iostream>
 
 #include "app/element_test_model.hpp"
 #include "app/ensemble.hpp"
@@ -94,7 +94,9 @@ FoundSample UndrainedCase::sample_for(const Curve& curve, const std::filesystem:
 }
 
 void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const {
-  sample_for(curve(point.name), "/dev/null", progress, 0, border);
+  const Curve& wanted = curve(point.name);
+  const FoundSample found = sample_for(wanted, "/dev/null", progress, 0, border);
+  on_first_rank([&] { print_found_sample(std::cout, sample_of(wanted), found); });
 }
 
 void UndrainedCase::run(const Point& point, const PointRun& run) const {

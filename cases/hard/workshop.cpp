@@ -29,8 +29,10 @@ Suite Suite::read(const Configuration& configuration) {
   suite.slope = read_slope(configuration);
   suite.material = read_material(configuration);
   check_strength(configuration, suite.slope, suite.material.sliding_friction);
-  for (const SampleSpecification& sample : read_samples(configuration, suite.slope, 0))
+  for (const SampleSpecification& sample : read_samples(configuration, suite.slope, 0)) {
     (sample.name == "loose" ? suite.loose : suite.dense) = sample.recipe;
+    suite.allow_uneven = sample.allow_uneven;
+  }
   read_coupling(configuration, "coupling", suite.slope, grain_scale(suite.loose));
   read_loading(configuration, "loading", {});
   suite.seeds = configuration.integer("suite.seeds", Range::between(1, 100));
@@ -53,7 +55,8 @@ SampleRecipe Workshop::numbered(SampleRecipe recipe, std::int64_t sample) {
 
 PreparedSample Workshop::prepared(const SampleRecipe& recipe) const {
   const auto preparing = engine();
-  return find_sample(*preparing, {"of a hard scene", recipe, any_void_ratio}, sample_cache_folder(), run_.progress,
+  return find_sample(*preparing, {"of a hard scene", recipe, any_void_ratio, suite_.allow_uneven},
+                     sample_cache_folder(), run_.progress,
                      [this](const auto& keep) { run_.checkpoints.border_of_preparation(keep); })
       .sample;
 }

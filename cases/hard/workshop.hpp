@@ -23,6 +23,7 @@ struct Suite {
   SlopeProperties slope;
   Material material;
   SampleRecipe loose, dense;  ///< from [sample.loose] and [sample.dense]
+  bool allow_uneven = false;  ///< see SampleSpecification
   std::int64_t seeds = 3;     ///< samples of each kind where a scene needs several
   double shear_rate = 0.5;    ///< quasi-static, 1/s
   std::int64_t rest_steps = 10'000'000;

@@ -107,6 +107,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
     sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));
+    sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
     check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
                     sample.recipe.packing.smallest_diameter, sample.recipe.material);
     try {

@@ -20,6 +20,7 @@ struct SampleSpecification {
   std::string name;          ///< its key below [sample]
   SampleRecipe recipe;       ///< where the search for its void ratio starts
   VoidRatioTarget target;
+  bool allow_uneven = false;  ///< whether samples are taken that are not as even as a random packing (see unevenness)
 
   /// "e0_790_seed2": one for each sample of a configuration.
   std::string label() const { return name + "_seed" + std::to_string(recipe.packing.seed); }

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "app/sample_cache.hpp"
+#include "app/sample_health.hpp"
 #include "dem/liggghts/commands.hpp"
 #include "dem/make_engine.hpp"
 
@@ -27,6 +27,15 @@ void print_sample_plan(std::ostream& out, const SampleSpecification& sample, con
   out << fmt::format(
       "# key of its first trial in the cache: {}\n",
       cache_key(sample.recipe, preparation_engine + " " + make_engine(preparation_engine, "/dev/null")->version()));
+}
+
+void print_found_sample(std::ostream& out, const SampleSpecification& wanted, const FoundSample& found) {
+  const SampleRecipe& recipe = found.recipe;
+  const std::string packing =
+      recipe.mixing_velocity > 0.0 ? fmt::format("mixed at {} m/s", recipe.mixing_velocity) : "lattice";
+  out << fmt::format("sample {}, seed {}, mu_1 {}, drag {} kg/s, {}: {}\n", wanted.name, recipe.packing.seed,
+                     recipe.preparation_friction, recipe.drag, packing, health_line(metrics_of(found)));
+  if (const std::string uneven = unevenness(found.health); !uneven.empty()) out << uneven << "\n";
 }
 
 void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step) {

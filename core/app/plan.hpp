@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/models.hpp"
+#include "app/sample_cache.hpp"
 
 namespace flowslide {
 
@@ -17,6 +18,9 @@ double seconds_per_grain_and_step(const std::string& engine);
 
 /// The sample that a search starts with, and its key in the cache.
 void print_sample_plan(std::ostream& out, const SampleSpecification& sample, const std::string& preparation_engine);
+
+/// The sample that was found, with its health, and what is uneven in it.
+void print_found_sample(std::ostream& out, const SampleSpecification& wanted, const FoundSample& found);
 
 /// The commands by which `engine` would be set up, if it takes commands, for the box of the loose packing.
 void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step);

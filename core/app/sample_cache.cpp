@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/ranks.hpp"
+#include "app/sample_health.hpp"
 #include "record/hash.hpp"
 #include "record/sample_store.hpp"
 #include "sample/failure.hpp"
@@ -143,12 +144,16 @@ struct Trials {
 }  // namespace
 
 std::vector<Metric> metrics_of(const FoundSample& found) {
-  return {{"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
-          {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1",
-           "void ratio a mean diameter away from the planes"},
-          {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
-          {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
-          {"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"}};
+  std::vector<Metric> metrics{
+      {"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
+      {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1", "void ratio a mean diameter away from the planes"},
+      {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
+      {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
+      {"mixing_velocity", found.recipe.mixing_velocity, "m/s",
+       found.recipe.mixing_velocity > 0.0 ? "of the grains before stage 1" : "lattice: not mixed before stage 1"},
+      {"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"}};
+  for (Metric& metric : metrics_of(found.health)) metrics.push_back(std::move(metric));
+  return metrics;
 }
 
 std::filesystem::path sample_cache_folder() {
@@ -174,6 +179,9 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
     found.sample = trials.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
                                                      specification.target.void_ratio, found.trials + 1));
     ++found.trials;
+    found.health = packing_health(found.sample.assembly, recipe);
+    if (const std::string uneven = unevenness(found.health); !uneven.empty() && !specification.allow_uneven)
+      throw NumericalFailure(fmt::format("sample {}, seed {}: {}", specification.name, recipe.packing.seed, uneven));
     return found.sample.void_ratio;
   };
   found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;

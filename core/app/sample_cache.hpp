@@ -8,6 +8,7 @@
 #include "app/progress.hpp"
 #include "dem/engine.hpp"
 #include "record/series.hpp"
+#include "sample/packing_health.hpp"
 #include "sample/preparation.hpp"
 
 namespace flowslide {
@@ -17,9 +18,10 @@ struct FoundSample {
   PreparedSample sample;
   SampleRecipe recipe;    ///< of the last trial, the one that fits
   int trials = 0;
+  PackingHealth health;
 };
 
-/// Void ratios and recipe of a sample, as numbers of a result.
+/// Void ratios, recipe and health of a sample, as numbers of a result.
 std::vector<Metric> metrics_of(const FoundSample& found);
 
 /// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder. find_sample says where it is
@@ -31,8 +33,10 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& engine);
 
 /// Searches the recipe until the sample has its void ratio. Every trial is kept in the cache under the hash of all that
 /// went into it, engine included, one that failed with its reason, so that the same search takes the same way again
-/// without a step. Collective over the MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache. `border` is called many
-/// times while a sample is prepared or waited for: what it keeps of a preparation, the next call goes on from.
+/// without a step. A sample that is uneven (see unevenness) counts as one that failed, unless the specification takes
+/// it. Collective over the MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache.
+/// `border` is called many times while a sample is prepared or waited for: what it keeps of a preparation, the next
+/// call goes on from.
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
                         const ProgressStyle& style, const PreparationBorder& border = {});
 

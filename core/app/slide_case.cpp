@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
+#include <iostream>
 #include <stdexcept>
 
 #include "app/closed_form_models.hpp"
@@ -121,8 +121,10 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
 
 void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const {
   if (closed_form_) return;
-  find_sample(*make_engine(preparation_engine_, "/dev/null"), slide(point.name).sample, sample_cache_folder(),
-              progress, border);
+  const SampleSpecification& sample = slide(point.name).sample;
+  const FoundSample found =
+      find_sample(*make_engine(preparation_engine_, "/dev/null"), sample, sample_cache_folder(), progress, border);
+  on_first_rank([&] { print_found_sample(std::cout, sample, found); });
 }
 
 SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) const {

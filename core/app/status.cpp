@@ -10,6 +10,7 @@
 #include "app/canonical.hpp"
 #include "app/point_checkpoints.hpp"
 #include "app/progress.hpp"
+#include "app/sample_health.hpp"
 #include "record/file_lock.hpp"
 
 namespace flowslide {
@@ -28,6 +29,7 @@ void read_last_checkpoint(const CheckpointStore& store, PointStatus& status) {
           const Checkpoint checkpoint = read_checkpoint(root);
           status.place = place_of(checkpoint);
           status.share_done = checkpoint.share_done;
+          status.sample = health_line(checkpoint.so_far.metrics);
         },
         [](std::string_view) {});
   } catch (const CorruptFileError&) {
@@ -38,12 +40,13 @@ void read_last_checkpoint(const CheckpointStore& store, PointStatus& status) {
 }  // namespace
 
 PointStatus status_of(const OutputFolder& output, const std::string& point) {
-  PointStatus status{point, "not begun", "", 0.0, 0.0};
+  PointStatus status{point, "not begun", "", 0.0, 0.0, ""};
   const std::string hash = output.hash_of(point);
   if (const auto file = output.file(point + ".h5"); std::filesystem::exists(file)) {
     const bool whole = is_complete(file, hash);
     status.state = whole ? "complete" : "damaged";
     status.share_done = whole ? 1.0 : 0.0;
+    if (whole) status.sample = health_line(read_result(file).metrics);
     return status;
   }
   const CheckpointStore store = output.checkpoints(point);
@@ -64,15 +67,19 @@ std::string status_table(const std::vector<PointStatus>& points) {
     text += fmt::format("{:{}}  {:9}  {:>3.0f} %  {:>12}  {}\n", point.point, width, point.state,
                         100.0 * point.share_done, kept ? duration_text(point.age) : "-", kept ? point.place : "-");
   }
+  for (const PointStatus& point : points)
+    if (!point.sample.empty()) text += fmt::format("sample of {}: {}\n", point.point, point.sample);
   return text;
 }
 
 std::string status_json(const std::vector<PointStatus>& points) {
   std::string text = "{\"points\": [";
   for (const PointStatus& point : points)
-    text += fmt::format("{}\n  {{\"name\": {}, \"state\": {}, \"share_done\": {:.3f}, \"checkpoint_age\": {:.1f}, "
-                        "\"place\": {}}}", &point == &points.front() ? "" : ",", quoted(point.point),
-                        quoted(point.state), point.share_done, point.age, quoted(point.place));
+    text += fmt::format(
+        "{}\n  {{\"name\": {}, \"state\": {}, \"share_done\": {:.3f}, \"checkpoint_age\": {:.1f}, "
+        "\"place\": {}, \"sample\": {}}}",
+        &point == &points.front() ? "" : ",", quoted(point.point), quoted(point.state), point.share_done, point.age,
+        quoted(point.place), quoted(point.sample));
   return text + "\n]}\n";
 }
 

@@ -14,14 +14,16 @@ struct PointStatus {
   std::string place;       ///< where its last checkpoint stands, for people; empty without one
   double share_done = 0.0;  ///< about, 0 to 1, at its last checkpoint; 1 if complete
   double age = 0.0;        ///< of the last checkpoint, s; 0 without one
+  std::string sample = {};  ///< health of its sample, see health_line; empty before the first checkpoint
 };
 
 /// Looks, and changes nothing; points may be running.
 PointStatus status_of(const OutputFolder& output, const std::string& point);
 
-/// A line for each point under a line of titles.
+/// A line for each point under a line of titles, then one for each sample that is known.
 std::string status_table(const std::vector<PointStatus>& points);
-/// {"points": [{"name": "RD", "state": "running", "share_done": 0.42, "checkpoint_age": 12.0, "place": "..."}, ...]}
+/// {"points": [{"name": "RD", "state": "running", "share_done": 0.42, "checkpoint_age": 12.0, "place": "...",
+/// "sample": "e0 0.7823 ..."}, ...]}
 std::string status_json(const std::vector<PointStatus>& points);
 
 }  // namespace flowslide

@@ -44,10 +44,10 @@ MiddleOrder middle_order(const Assembly& assembly, int axis, int periods) {
   return order_within(assembly, axis, periods, 0.5 * waves / periods);
 }
 
-double order_of_random_positions(std::size_t grains) {
+double order_of_random_positions(std::size_t grains, double deviations) {
   constexpr double pi = std::numbers::pi;
   const double mean = std::sqrt(0.25 * pi), deviation = std::sqrt(1.0 - 0.25 * pi);
-  return (mean + 2.0 * deviation) / std::sqrt(static_cast<double>(grains));
+  return (mean + deviations * deviation) / std::sqrt(static_cast<double>(grains));
 }
 
 }  // namespace flowslide

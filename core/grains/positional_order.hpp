@@ -22,10 +22,11 @@ struct MiddleOrder {
 /// so that a uniform density has none. 0 without grains there.
 MiddleOrder middle_order(const Assembly& assembly, int axis, int periods);
 
-/// Order up to which `grains` positions count as random: mean and two standard deviations of the order of independent
-/// positions. The sum of N random unit vectors is a Gaussian in the plane (K. Pearson, Nature 72 (1905) 294), so that S
-/// has Rayleigh's distribution with the mean sqrt(pi/(4 N)) and the variance (1 - pi/4)/N: 1.81/sqrt(N). It is exceeded
-/// by chance with the probability exp(-1.81^2) = 0.037.
-double order_of_random_positions(std::size_t grains);
+/// Order up to which `grains` positions count as random: the mean and so many standard deviations of the order of
+/// independent positions. The sum of N random unit vectors is a Gaussian in the plane (K. Pearson, Nature 72 (1905)
+/// 294), so that S has Rayleigh's distribution with the mean sqrt(pi/(4 N)) and the variance (1 - pi/4)/N. With two
+/// deviations it is 1.81/sqrt(N), exceeded by chance with the probability exp(-1.81^2) = 0.037; with four, 2.74/sqrt(N)
+/// and 5e-4.
+double order_of_random_positions(std::size_t grains, double deviations);
 
 }  // namespace flowslide

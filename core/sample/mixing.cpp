@@ -16,9 +16,13 @@ namespace {
 
 /// Speed of two of the fastest grains towards each other, in mixing velocities.
 constexpr double fastest_approach = 6.0;
+/// Standard deviations by which the order of a mixed packing may exceed that of a random one.
+constexpr double allowed_deviations = 2.0;
 
 /// Order over what a random packing has.
-double excess(const MiddleOrder& order) { return order.value / order_of_random_positions(order.grains); }
+double excess(const MiddleOrder& order) {
+  return order.value / order_of_random_positions(order.grains, allowed_deviations);
+}
 
 /// Two of the smallest grains at the largest overlap of a head-on impact.
 Assembly impact(double radius, double overlap) {
@@ -41,7 +45,7 @@ std::string LatticeMemory::text() const {
   const auto most = std::max_element(order.begin(), order.end(),
                                      [](const MiddleOrder& a, const MiddleOrder& b) { return excess(a) < excess(b); });
   return fmt::format("{:.3g} along {}, where {:.3g} is allowed", most->value, "xyz"[most - order.begin()],
-                     order_of_random_positions(most->grains));
+                     order_of_random_positions(most->grains, allowed_deviations));
 }
 
 LatticeMemory lattice_memory(const Assembly& assembly, const LatticePacking& packing) {

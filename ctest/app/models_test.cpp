@@ -47,6 +47,7 @@ kinetic_tolerance = 1e-8
 mixing = "0 m/s"
 drag_reference = "rest"
 drag_stages = [1, 2, 3, 4]
+allow_uneven = true
 [sample.loose]
 void_ratio = 0.79
 tolerance = 0.002
@@ -165,6 +166,8 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
   EXPECT_EQ(recipe.kinetic_tolerance, 1e-8);
   EXPECT_EQ(recipe.mixing_velocity, 0.0);
   EXPECT_EQ(recipe.drag_reference, DragReference::rest);
+  EXPECT_TRUE(samples[0].allow_uneven);
+  EXPECT_FALSE(samples_of(with("allow_uneven = true", "allow_uneven = false"))[0].allow_uneven);
 }
 
 TEST(ReadSamples, TakeTheStagesInWhichDragActs) {
@@ -176,7 +179,7 @@ TEST(ReadSamples, TakeTheStagesInWhichDragActs) {
 }
 
 TEST(ReadSamples, RefuseToGuessHowAPackingIsMixedAndWhatDragIsRelativeTo) {
-  for (const char* key : {"mixing", "drag_reference", "drag_stages"}) {
+  for (const char* key : {"mixing", "drag_reference", "drag_stages", "allow_uneven"}) {
     const std::string name = key;
     EXPECT_CONTAINS(complaint(name + " = ", name + "_was = "), "\"preparation." + name + "\" is missing");
   }
@@ -297,10 +300,10 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
   EXPECT_CONTAINS(complaint("void_ratio = 0.79", "void_ratio = 0.3"),
-                  "case.toml:35:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:42:14: sample.isotropic.void_ratio");
-  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:36:13: sample.loose.tolerance = 0");
-  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:37:15: sample.loose.most_trials = 0");
+                  "case.toml:36:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
+  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:43:14: sample.isotropic.void_ratio");
+  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:37:13: sample.loose.tolerance = 0");
+  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:38:15: sample.loose.most_trials = 0");
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
@@ -308,7 +311,7 @@ TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
                   "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
   EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:27:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
-  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:39:8: sample.loose.drag");
+  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:40:8: sample.loose.drag");
   EXPECT_CONTAINS(complaint("isotropic = false\n", ""), "\"sample.loose.isotropic\" is missing: true or false");
 }
 

@@ -26,6 +26,21 @@ TEST(Plan, ShowsTheSearchForASample) {
   EXPECT_CONTAINS(out.str(), "# key of its first trial in the cache: ");
 }
 
+TEST(Plan, ShowsTheSampleThatWasFoundWithItsHealth) {
+  FoundSample found;
+  found.sample.void_ratio = 0.7823;
+  std::ostringstream lattice, mixed;
+  print_found_sample(lattice, {"loose", {}, {}}, found);
+  EXPECT_EQ(lattice.str().rfind("sample loose, seed 1, mu_1 0.3, drag 0.03 kg/s, lattice: e0 0.7823 (inner 0", 0), 0u)
+      << lattice.str();
+  EXPECT_EQ(lattice.str().find("uneven"), std::string::npos);
+  found.recipe.mixing_velocity = 0.5;
+  found.health.axes[1].middle_order = {0.4, 600};
+  print_found_sample(mixed, {"loose", {}, {}}, found);
+  EXPECT_CONTAINS(mixed.str(), "mixed at 0.5 m/s: ");
+  EXPECT_CONTAINS(mixed.str(), "order of the lattice along y: in the middle of the cell it is 0.4, where 0.112");
+}
+
 TEST(Plan, ShowsCommandsOfAnEngineThatTakesThem) {
   std::ostringstream liggghts, native;
   SampleRecipe recipe;

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "app/error.hpp"
@@ -17,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SampleSpecification specification(double void_ratio, double tolerance = 0.02, int most_trials = 10) {
-  SampleSpecification wanted{"loose", {}, {void_ratio, tolerance, most_trials}};
+  SampleSpecification wanted{"loose", {}, {void_ratio, tolerance, most_trials}, true};
   wanted.recipe.packing.counts = {3, 3, 4};
   wanted.recipe.time_step = 5e-6;  // the block squeezes its lattice more than a servo would
   return wanted;
@@ -146,6 +148,41 @@ TEST_F(SampleCache, TriesAgainWithMoreSteps) {
   EXPECT_EQ(engine.steps(), 90);
   find(engine);
   EXPECT_EQ(engine.preparations(), 2);
+}
+
+TEST_F(SampleCache, RefusesAnUnevenSampleUnlessItIsTaken) {
+  // The block keeps the lattice that it was loaded with.
+  SampleSpecification even = specification(0.75, 0.05, 2);
+  even.recipe.packing.counts = {8, 8, 9};
+  even.allow_uneven = false;
+  ElasticBlock first, second;
+  const auto [code, message] = end(first, even);
+  EXPECT_EQ(code, 3);
+  EXPECT_CONTAINS(message,
+                  "sample loose, seed 2: the sample is not as even as a random packing of its size: there is an "
+                  "order of the lattice along ");
+  EXPECT_CONTAINS(message, "where 0.");
+  EXPECT_CONTAINS(message, "preparation.allow_uneven");
+  EXPECT_EQ(first.preparations(), 2);  // the next seed might have been even
+  EXPECT_EQ(end(second, even).second, message);
+  EXPECT_EQ(second.steps(), 0);  // its samples are kept all the same
+  even.allow_uneven = true;
+  EXPECT_EQ(find(second, even).trials, 1);
+  EXPECT_EQ(second.steps(), 0);
+}
+
+TEST_F(SampleCache, TellsTheHealthOfASampleInItsMetrics) {
+  ElasticBlock engine;
+  std::map<std::string, double> metrics;
+  for (const Metric& metric : metrics_of(find(engine))) {
+    EXPECT_TRUE(metrics.emplace(metric.name, metric.value).second) << metric.name;
+    EXPECT_TRUE(std::isfinite(metric.value)) << metric.name;
+  }
+  for (const char* name : {"initial_void_ratio", "mixing_velocity", "void_ratio_spread_x", "middle_order_z",
+                           "rattler_share", "upper_half_shear_stress"})
+    EXPECT_TRUE(metrics.contains(name)) << name;
+  EXPECT_EQ(metrics.at("mixing_velocity"), 0.0);
+  EXPECT_GT(metrics.at("middle_order_z"), 0.5);
 }
 
 TEST_F(SampleCache, PreparesAgainForAnotherEngine) {

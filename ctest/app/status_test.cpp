@@ -66,12 +66,23 @@ TEST_F(StatusTest, TellsWhatIsComplete) {
   write_result(output_.file("RD.h5"), result);
   EXPECT_EQ(status_of(output_, "RD").state, "complete");
   EXPECT_EQ(status_of(output_, "RD").share_done, 1.0);
+  EXPECT_EQ(status_of(output_, "RD").sample, "");  // a result without one
   overwrite(output_.file("RD.h5"), "torn");
   EXPECT_EQ(status_of(output_, "RD").state, "damaged");
 }
 
+TEST_F(StatusTest, TellsTheHealthOfTheSample) {
+  Result result = example_result();
+  result.metrics = {{"initial_void_ratio", 0.7823, "1", ""},
+                    {"initial_bulk_void_ratio", 0.767, "1", ""},
+                    {"mechanical_coordination_number", 4.6, "1", ""}};
+  write_result(output_.file("RD.h5"), result);
+  EXPECT_CONTAINS(status_of(output_, "RD").sample, "e0 0.7823 (inner 0.7670)");
+}
+
 TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {
-  const std::vector<PointStatus> points{{"RD", "running", "t = 0.5 s", 0.42, 12.0}, {"RI_long", "not begun", "", 0, 0}};
+  std::vector<PointStatus> points{{"RD", "running", "t = 0.5 s", 0.42, 12.0, ""},
+                                  {"RI_long", "not begun", "", 0, 0, ""}};
   EXPECT_EQ(status_table(points),
             "point    state       done   kept before  at its last checkpoint\n"
             "RD       running     42 %          12 s  t = 0.5 s\n"
@@ -79,8 +90,12 @@ TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {
   EXPECT_EQ(status_json(points),
             "{\"points\": [\n  {\"name\": \"RD\", \"state\": \"running\", \"share_done\": 0.420, "
             "\"checkpoint_age\": 12.0, "
-            "\"place\": \"t = 0.5 s\"},\n  {\"name\": \"RI_long\", \"state\": \"not begun\", \"share_done\": 0.000, "
-            "\"checkpoint_age\": 0.0, \"place\": \"\"}\n]}\n");
+            "\"place\": \"t = 0.5 s\", \"sample\": \"\"},\n  {\"name\": \"RI_long\", \"state\": \"not begun\", "
+            "\"share_done\": 0.000, "
+            "\"checkpoint_age\": 0.0, \"place\": \"\", \"sample\": \"\"}\n]}\n");
+  points[0].sample = "e0 0.7823";
+  EXPECT_CONTAINS(status_table(points), "\nsample of RD: e0 0.7823\n");
+  EXPECT_CONTAINS(status_json(points), "\"sample\": \"e0 0.7823\"");
 }
 
 }  // namespace

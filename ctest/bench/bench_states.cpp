@@ -29,7 +29,7 @@ std::array<int, 3> lattice_of(int grains) {
 
 Assembly prepared(int grains) {
   const auto engine = make_engine("native", "/dev/null");
-  SampleSpecification specification{"bench", {}, {0.80, 1.0, 1}};
+  SampleSpecification specification{"bench", {}, {0.80, 1.0, 1}, true};
   specification.recipe.packing.counts = lattice_of(grains);
   specification.recipe.preparation_friction = 0.5;
   specification.recipe.drag = 0.06;

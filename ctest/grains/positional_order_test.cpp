@@ -47,7 +47,7 @@ TEST(PositionalOrder, OfIndependentPositionsIsRayleighsLaw) {
         positional_order(testing::random_cloud(seed, grains, {0.1, 0.1, 0.1}, {false, false, false}), 2, 11);
     sum += order;
     squares += order * order;
-    above += order > order_of_random_positions(grains);
+    above += order > order_of_random_positions(grains, 2.0);
   }
   const double pi = std::numbers::pi;
   // The mean of 500 scatters by 0.463/sqrt(400 * 500); that of the squares, exponential, by 1/(400 sqrt(500)).
@@ -71,7 +71,7 @@ TEST(PositionalOrder, ShowsTheLatticeThatPreparationsBeginWith) {
   const Assembly packing = lattice_packing({.counts = {10, 10, 11}});
   // Shifts of up to s = 0.04/1.1 of a spacing leave sin(2 pi s)/(2 pi s) of it: 0.991.
   EXPECT_NEAR(positional_order(packing, 2, 11), 0.991, 0.002);
-  EXPECT_GT(middle_order(packing, 0, 10).value, order_of_random_positions(middle_order(packing, 0, 10).grains));
+  EXPECT_GT(middle_order(packing, 0, 10).value, order_of_random_positions(middle_order(packing, 0, 10).grains, 2.0));
 }
 
 TEST(PositionalOrder, RefusesNoGrainsAndNoWave) {
