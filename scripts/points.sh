@@ -3,7 +3,8 @@
 # The points of a case: which there are, how long they take, and running them side by side. Sourced by ./reproduce.
 
 # points_of PROGRAM FIGURES OPTIONS...: lines `name<TAB>predicted seconds`, longest first, of the points that belong to
-# one of FIGURES (one a line). A name like fig03 picks the points of the paper's figure 3, any other name all points.
+# one of FIGURES (one a line). A name like fig03 or fig03_more picks the points of the paper's figure 3, any other name all
+# points.
 points_of() {
   local program=$1 figures=$2 listing
   shift 2
@@ -21,7 +22,7 @@ points_of() {
     BEGIN {
       RS = "{"
       count = split(wanted, names, "\n")
-      for (i = 1; i <= count; ++i) if (names[i] ~ /^fig[0-9]+$/) numbers[substr(names[i], 4) + 0] = 1; else every = 1
+      for (i = 1; i <= count; ++i) if (names[i] ~ /^fig[0-9]+(_|$)/) numbers[substr(names[i], 4) + 0] = 1; else every = 1
     }
     {
       name = field($0, "name", "\"[^\"]*\"")

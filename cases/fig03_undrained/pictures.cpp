@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "record/sample_picture.hpp"
+#include "record/sample_tables.hpp"
 #include "record/snapshot.hpp"
 
 namespace flowslide {
@@ -21,6 +22,7 @@ void Pictures::write(const OutputFolder& output, const std::string& name) const 
   if (shots_.empty()) return;
   View view;
   write_picture(output.file("fig02_before.dat"), shots_.front().assembly, view);
+  write_sample_tables(output.path(), "fig02", shots_.front().assembly);
   view.shear_strain = shots_.back().strain;
   write_picture(output.file("fig02_during.dat"), shots_.back().assembly, view);
   std::filesystem::create_directories(output.file(name + "_frames"));

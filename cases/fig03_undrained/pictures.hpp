@@ -16,7 +16,8 @@ class Pictures {
 
   /// Keeps the assembly if a picture is due at this strain.
   void take(double time, double strain, const Assembly& assembly);
-  /// Writes fig02_before.dat and fig02_during.dat, and <name>.pvd with its .vtp files.
+  /// Writes fig02_before.dat and fig02_during.dat, the tables of the sample (see write_sample_tables), and <name>.pvd
+  /// with its .vtp files.
   void write(const OutputFolder& output, const std::string& name) const;
 
   /// What has been kept, for a checkpoint, and going on from there.

@@ -67,7 +67,7 @@ expect_file() {
 }
 
 cd /
-expect 2 "unknown figure 'fig99'; there are: fig02 fig03 fig04" fig99
+expect 2 "unknown figure 'fig99'; there are: fig02 fig02_sample fig03 fig04" fig99
 expect 2 "unknown option '--fast'" --fast
 expect 2 "scale is 'huge'; allowed: quick, paper" --scale huge
 expect 2 "jobs is '0'; allowed" --jobs 0
@@ -81,6 +81,7 @@ mv "$program.away" "$program"
 expect 0 'build into build/release' --build
 grep -q 'cmake --build' "$room/calls" || { echo '--build did not build'; failures=$((failures + 1)); }
 expect 0 'fig03 *20 s' --list --jobs 2
+expect 0 'fig02_sample *20 s' fig02_sample --list --jobs 1
 expect 0 'claims of b a checked' fig03
 expect_file quick/run 'a b '
 expect 0 'claims of b c a checked' --scale=paper

@@ -31,6 +31,8 @@ TEST_F(PicturesTest, ShowTheSampleBeforeAndAtTheStrainWithFramesBetween) {
   pictures.write(output, "curve");
   EXPECT_TRUE(fs::exists(folder_ / "fig02_before.dat"));
   EXPECT_TRUE(fs::exists(folder_ / "fig02_during.dat"));
+  for (const char* table : {"slices_x", "slices_y", "slices_z", "distances", "contacts"})
+    EXPECT_TRUE(fs::exists(folder_ / (std::string("fig02_") + table + ".dat"))) << table;
   std::ifstream file(folder_ / "curve.pvd");
   const std::string collection(std::istreambuf_iterator<char>(file), {});
   for (int frame = 0; frame <= 5; ++frame) {

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The sample of Fig. 2 at the end of preparation: (A) void ratios of slices across the three axes, with the band in which
+# those of a random packing lie (two standard deviations), (B) radial distribution function, (C) numbers of contacts.
+tables = "fig02_slices_x.dat fig02_slices_y.dat fig02_slices_z.dat fig02_distances.dat fig02_contacts.dat"
+command = "./reproduce fig02_sample"
+script = ARG0; folder = ARG1; picture = ARG2
+load script[1:strlen(script) - strlen("sample.gp")]."style.gp"
+
+array axis[3] = ["x", "y", "z"]
+array colour[3] = [sky, orange, black]
+array mark[3] = [6, 4, 7]
+slices(i) = data(word(tables, i))
+
+do for [format in "png pdf"] {
+  eval terminal(format, 18, 6.6)
+  set output picture.".".format
+  set multiplot layout 1, 3
+  set bmargin at screen 0.21; set tmargin at screen 0.88
+
+  set title panel("A", "void ratio in slices")
+  set xlabel "place across the cell"
+  set ylabel "void ratio {/:Italic e}" offset 1
+  set xrange [0:1]
+  set key top center Left reverse
+  plot slices(3) using 1:3:4 with filledcurves linecolor rgb 0xDDDDDD notitle, \
+       for [i = 1:3] slices(i) using 1:2 with linespoints linewidth 1.2 pointtype mark[i] \
+         pointsize 0.5 linecolor rgb colour[i] title "across {/:Italic ".axis[i]."}"
+
+  set title panel("B", "pairs of grains")
+  set xlabel "distance {/:Italic r} / {/:Italic D}"
+  set ylabel "radial distribution {/:Italic g}"
+  set xrange [0:3]
+  unset key
+  plot data("fig02_distances.dat") using 1:2 with lines linewidth 1.2 linecolor rgb black
+
+  set title panel("C", "contacts")
+  set xlabel "contacts of a grain"
+  set ylabel "share of the grains"
+  set xrange [-0.8:*]
+  set boxwidth 0.8
+  set style fill solid 0.6
+  plot data("fig02_contacts.dat") using 1:2 with boxes linecolor rgb blue
+  unset multiplot
+  set output
+}
