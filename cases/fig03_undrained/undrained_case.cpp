@@ -60,10 +60,13 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
 
   const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
   const auto steps = static_cast<double>(curve.test.steps(curve.time_step));
-  curve.point = {replicate_name(name, replicate), configuration.texts(table + "figures"),
+  curve.point = {replicate_name(name, replicate),
+                 configuration.texts(table + "figures"),
                  fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,
                              curve.test.shear_rate, 100.0 * curve.test.final_strain, steps, grains),
-                 steps * grains * seconds_per_grain_and_step(engine_), sample_of(curve).label()};
+                 steps * grains * seconds_per_grain_and_step(engine_),
+                 sample_of(curve).label(),
+                 {engine_, preparation_engine_}};
   curves_.push_back(curve);
 }
 
@@ -105,8 +108,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
                                        run.threads,
                                        [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"), run.threads);
-
-  run.checkpoints.check_engine(engine->name(), engine->version());
+  const ElementTest test = for_sample(running.test, sample_of(running).recipe, found.sample.assembly.mean_diameter());
 
   DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, running.time_step, 0.0});
   Pictures pictures(running.picture_strain);
@@ -117,16 +119,14 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
     rows = kept->so_far.series;
   }
   const auto result_of = [&](const Series& series) {
-    Result result{run.provenance_now(), run.configuration, run.configuration_hash, series, metrics_of(found)};
+    Result result = run.result(series, metrics_of(found));
     for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
       result.metrics.push_back(metric);
-    result.provenance.engine = engine->name();
-    result.provenance.engine_version = engine->version();
     result.provenance.seed = seed_;
     result.provenance.replicate = running.replicate;
     return result;
   };
-  const std::int64_t steps = running.test.steps(running.time_step);
+  const std::int64_t steps = test.steps(running.time_step);
   Progress progress("fig03_undrained " + point.name, steps, run.progress, sample.steps());
   const auto observe = [&](std::int64_t done, const Assembly& assembly, const Series& so_far) {
     pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
@@ -137,7 +137,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
                         pictures.shots()};
     });
   };
-  const Result result = result_of(run_element_test(sample, running.test, observe, std::move(rows)));
+  const Result result = result_of(run_element_test(sample, test, observe, std::move(rows)));
   on_first_rank([&] {
     pictures.write(run.output, point.name);
     write_table(run.output.file(point.name + ".dat"), table_of(result));

@@ -8,9 +8,11 @@
 namespace flowslide {
 
 ConvergenceCase::ConvergenceCase()
-    : SlideCase({"fig06_convergence", "A slope on a sample of given inertial number as dt_G shrinks (Figs. 6 and 7)",
-                 FLOWSLIDE_VERSION, {"Fig. 6", "Fig. 7"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"fig06_convergence",
+                 "A slope on a sample of given inertial number as dt_G shrinks (Figs. 6 and 7)",
+                 FLOWSLIDE_VERSION,
+                 {"Fig. 6", "Fig. 7"},
+                 {}}) {}
 
 std::vector<Metric> ConvergenceCase::slide_metrics(const SlideOutcome& outcome) const {
   return peak_metrics(outcome.series);

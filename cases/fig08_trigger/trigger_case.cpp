@@ -11,9 +11,11 @@
 namespace flowslide {
 
 TriggerCase::TriggerCase()
-    : SlideCase({"fig08_trigger", "Triggering of a slope by a growing shear stress (Figs. 8, 9 and 10)",
-                 FLOWSLIDE_VERSION, {"Fig. 8", "Fig. 9", "Fig. 10"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"fig08_trigger",
+                 "Triggering of a slope by a growing shear stress (Figs. 8, 9 and 10)",
+                 FLOWSLIDE_VERSION,
+                 {"Fig. 8", "Fig. 9", "Fig. 10"},
+                 {}}) {}
 
 std::vector<Metric> TriggerCase::slide_metrics(const SlideOutcome& outcome) const {
   std::vector<Metric> metrics = trigger_metrics(outcome.series);

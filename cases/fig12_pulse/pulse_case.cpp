@@ -11,9 +11,11 @@ constexpr int windows = 30;  ///< of displacement, for what jumps
 }
 
 PulseCase::PulseCase()
-    : SlideCase({"fig12_pulse", "Runout of a slope after a sine pulse (Figs. 11 and 12)", FLOWSLIDE_VERSION,
-                 {"Fig. 11", "Fig. 12"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"fig12_pulse",
+                 "Runout of a slope after a sine pulse (Figs. 11 and 12)",
+                 FLOWSLIDE_VERSION,
+                 {"Fig. 11", "Fig. 12"},
+                 {}}) {}
 
 std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const {
   return runout_metrics(outcome.series, outcome.point.settings);

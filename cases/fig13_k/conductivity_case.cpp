@@ -8,9 +8,11 @@
 namespace flowslide {
 
 ConductivityCase::ConductivityCase()
-    : SlideCase({"fig13_k", "Runout of a slope at several hydraulic conductivities (Fig. 13)", FLOWSLIDE_VERSION,
-                 {"Fig. 13"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"fig13_k",
+                 "Runout of a slope at several hydraulic conductivities (Fig. 13)",
+                 FLOWSLIDE_VERSION,
+                 {"Fig. 13"},
+                 {}}) {}
 
 std::vector<Metric> ConductivityCase::slide_metrics(const SlideOutcome& outcome) const { return pulse_runout(outcome); }
 

@@ -8,9 +8,11 @@
 namespace flowslide {
 
 VoidRatioCase::VoidRatioCase()
-    : SlideCase({"fig14_e0", "Runout of a slope on samples of four void ratios (Fig. 14)", FLOWSLIDE_VERSION,
-                 {"Fig. 14"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"fig14_e0",
+                 "Runout of a slope on samples of four void ratios (Fig. 14)",
+                 FLOWSLIDE_VERSION,
+                 {"Fig. 14"},
+                 {}}) {}
 
 std::vector<Metric> VoidRatioCase::slide_metrics(const SlideOutcome& outcome) const { return pulse_runout(outcome); }
 

@@ -86,7 +86,10 @@ SlideState slide_on_grains(const Workshop& workshop, const Assembly& sample, con
   const auto engine = workshop.engine();
   DemSample grains(*engine, sample, {workshop.suite().material, settings.passing.time_step, 0.0});
   if (linear_start) grains.start_linear_at_first_strain();
-  Slide slide(settings, grains);
+  SlideSettings on_sample = settings;
+  on_sample.rate = for_grains(settings.rate, {sample.mean_diameter(), workshop.suite().material.density},
+                              initial_normal_stress(settings.slope));
+  Slide slide(on_sample, grains);
   validate(stop);
   while (stop_of(slide.state(), stop, settings.time_step) == Stop::not_yet) {
     slide.step();

@@ -41,7 +41,8 @@ void HardCase::read(const Configuration& configuration) {
 
 std::vector<Point> HardCase::points() const {
   std::vector<Point> points;
-  for (const Scene& scene : scenes_) points.push_back({scene.name, {}, scene.title, scene.seconds});
+  const RunInputs inputs{suite_.engine, suite_.engine, suite_.inputs};
+  for (const Scene& scene : scenes_) points.push_back({scene.name, {}, scene.title, scene.seconds, {}, inputs});
   return points;
 }
 
@@ -56,11 +57,8 @@ void HardCase::print_plan(const Point& point, std::ostream& out) const {
 
 void HardCase::run(const Point& point, const PointRun& run) const {
   const SceneRecord record = scene(point.name).run(Workshop(suite_, run));
-  Result result{run.provenance_now(), run.configuration, run.configuration_hash, series_of(record.trials),
-                counts_of(record.trials)};
+  Result result = run.result(series_of(record.trials), counts_of(record.trials));
   result.metrics.insert(result.metrics.end(), record.metrics.begin(), record.metrics.end());
-  result.provenance.engine = suite_.engine;
-  result.provenance.engine_version = make_engine(suite_.engine, "/dev/null")->version();
   result.provenance.seed = suite_.seed;
   on_first_rank([&] {
     Table table = table_of(result);

@@ -18,6 +18,20 @@ GrainScale grain_scale(const SampleRecipe& recipe) {
   return {lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
 }
 
+/// The recipe that a table [sample.<name>] is for.
+SampleRecipe& recipe_named(Suite& suite, const Configuration& configuration, const std::string& name) {
+  if (name == "loose") return suite.loose;
+  if (name == "dense") return suite.dense;
+  configuration.refuse("sample." + name, "is no sample of these scenes", "leave it out, or call it loose or dense");
+}
+
+/// Both samples are needed, and no other.
+void require_samples(const Configuration& configuration) {
+  for (const char* name : {"loose", "dense"})
+    if (!configuration.has(std::string("sample.") + name))
+      configuration.refuse(std::string("sample.") + name, "is missing", "add the table of that sample");
+}
+
 }  // namespace
 
 Suite Suite::read(const Configuration& configuration) {
@@ -29,12 +43,13 @@ Suite Suite::read(const Configuration& configuration) {
   suite.slope = read_slope(configuration);
   suite.material = read_material(configuration);
   check_strength(configuration, suite.slope, suite.material.sliding_friction);
+  require_samples(configuration);
   for (const SampleSpecification& sample : read_samples(configuration, suite.slope, 0)) {
-    (sample.name == "loose" ? suite.loose : suite.dense) = sample.recipe;
+    recipe_named(suite, configuration, sample.name) = sample.recipe;
     suite.allow_uneven = sample.allow_uneven;
   }
   read_coupling(configuration, "coupling", suite.slope, grain_scale(suite.loose));
-  read_loading(configuration, "loading", {});
+  suite.inputs = loading_inputs(configuration, "loading", read_loading(configuration, "loading"));
   suite.seeds = configuration.integer("suite.seeds", Range::between(1, 100));
   suite.shear_rate = configuration.quantity("suite.shear_rate", dimension::rate, Range::positive());
   suite.rest_steps = configuration.integer("suite.rest_steps", Range::between(1000, 1e12));
@@ -68,11 +83,10 @@ std::unique_ptr<Engine> Workshop::engine() const {
 
 SlideSettings Workshop::slide(const std::string& coupling, const std::string& loading,
                               const SlopeProperties& slope) const {
-  const Configuration trial = Configuration::from_text(
-      suite_.configuration->resolved() + "\n[trial.coupling]\n" + coupling + "\n[trial.loading]\n" + loading + "\n",
-      "trial");
+  const Configuration trial =
+      suite_.configuration->overlaid("[trial.coupling]\n" + coupling + "\n[trial.loading]\n" + loading + "\n", "trial");
   SlideSettings settings = read_coupling(trial, {"trial.coupling", "coupling"}, slope, grain_scale(suite_.loose));
-  settings.loading = read_loading(trial, {"trial.loading", "loading"}, {});
+  settings.loading = read_loading(trial, {"trial.loading", "loading"});
   return settings;
 }
 

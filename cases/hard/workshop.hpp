@@ -18,6 +18,7 @@ namespace flowslide {
 /// What case.toml says of the suite.
 struct Suite {
   std::optional<Configuration> configuration;  ///< all of it, for scenes that go through the door of a user
+  std::vector<InputTable> inputs;              ///< tables that it names
   std::string engine;
   std::int64_t seed = 1;
   SlopeProperties slope;

@@ -51,9 +51,11 @@ Series states_series(const Ensembles& slides, const std::string& start) {
 }  // namespace
 
 OpenQuestionsCase::OpenQuestionsCase()
-    : SlideCase({"open_questions", "What the paper left open: homogeneous shear, size, mu(I), natural frequencies",
-                 FLOWSLIDE_VERSION, {"open_questions"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"open_questions",
+                 "What the paper left open: homogeneous shear, size, mu(I), natural frequencies",
+                 FLOWSLIDE_VERSION,
+                 {"open_questions"},
+                 {}}) {}
 
 std::vector<Metric> OpenQuestionsCase::slide_metrics(const SlideOutcome& outcome) const {
   std::vector<Metric> metrics;

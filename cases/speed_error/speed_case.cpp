@@ -15,8 +15,7 @@ double mean_of(const Ensemble& ensemble, const std::string& metric) {
 }  // namespace
 
 SpeedCase::SpeedCase()
-    : SlideCase({"speed_error", "Speed against error of every choice", FLOWSLIDE_VERSION, {"speed_error"}, {}},
-                FLOWSLIDE_CASE_FOLDER) {}
+    : SlideCase({"speed_error", "Speed against error of every choice", FLOWSLIDE_VERSION, {"speed_error"}, {}}) {}
 
 const SlidePoint& SpeedCase::planned(const std::string& setting) const {
   return *std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == setting; });

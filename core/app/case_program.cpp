@@ -7,7 +7,9 @@
 #include <iostream>
 #include <set>
 #include <span>
+#include <utility>
 
+#include "app/begin_point.hpp"
 #include "app/canonical.hpp"
 #include "app/claims.hpp"
 #include "app/cost.hpp"
@@ -123,7 +125,7 @@ class CaseProgram {
     const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
     std::vector<PointStatus> all;
     for (const Point& point : points_)
-      if (chosen_.contains(point.name)) all.push_back(status_of(output, point.name));
+      if (chosen_.contains(point.name)) all.push_back(status_of(output, point.name, identity_of(point)));
     std::cout << (options_.json ? status_json(all) : status_table(all));
     return to_int(ExitCode::ok);
   }
@@ -133,52 +135,44 @@ class CaseProgram {
     const std::string& name = case_.description().name;
     const OutputFolder output = OutputFolder::open_existing(options_.output, name);
     const OutputFolder copy = OutputFolder::open(output.file("so_far"), name);
-    std::vector<std::string> chosen;
-    for (const Point& point : points_)
-      if (chosen_.contains(point.name)) chosen.push_back(point.name);
+    std::map<std::string, RunIdentity> chosen;
+    for (const Point& point : points_) {
+      if (chosen_.contains(point.name))
+        chosen.emplace(point.name, identity_of(point));
+      else
+        copy.remove_point(point.name);  // of an earlier call that chose it
+    }
     std::cerr << copy_so_far(output, copy, chosen);
     case_.finish(copy);
     std::cout << copy.path().string() << "\n";
     return to_int(ExitCode::ok);
   }
 
+  RunIdentity identity_of(const Point& point) const {
+    return {case_.description().name, point.name, point.inputs, configuration_.resolved()};
+  }
+
   void run_point(const Point& point, RunControl& control) {
-    const std::string hash = configuration_.hash(), &case_name = case_.description().name;
     if (control.border() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
+    const std::string& case_name = case_.description().name;
+    const RunIdentity identity = identity_of(point);
     std::optional<OutputFolder> output;
-    std::optional<FileLock> lock;  // held until the point is over
-    bool complete = false;
+    std::optional<BegunPoint> begun;  // its lock is held until the point is over
     on_first_rank([&] {
       if (options_.resume) OutputFolder::open_existing(options_.output, case_name);
       output.emplace(OutputFolder::open(options_.output, case_name));
-      lock.emplace(output->begin_point(point.name, hash, configuration_.resolved()));
-      const auto file = output->file(point.name + ".h5");
-      complete = is_complete(file, hash);
-      if (!complete && std::filesystem::exists(file))  // not to be found out when the run is over
-        throw ConfigurationError(
-            fmt::format("{} is damaged or of another configuration; delete it and run that point "
-                        "again",
-                        file.string()));
-      if (complete || options_.afresh) output->checkpoints(point.name).remove();
+      begun.emplace(begin_point(*output, point.name, identity, options_.afresh));
     });
-    complete = same_on_all_ranks(complete);
     if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_name));
-    if (complete) {
+    if (same_on_all_ranks(begun && begun->complete)) {
       if (first_rank())
         std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
                                  point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }
-    PointCheckpoints checkpoints(output->checkpoints(point.name), control, configuration_.resolved());
-    PointRun run{*output, start_provenance(arguments_), configuration_.resolved(), hash,
-                 ProgressStyle::of_stderr(mpi_rank()), options_.threads, checkpoints};
-    run.provenance.mpi_ranks = mpi_ranks();
-    run.provenance.case_name = case_name;
-    run.provenance.point = point.name;
-    run.provenance.scale = options_.scale;
-    run.provenance.predicted_seconds = point.predicted_seconds;
-    for (const std::string& figure : point.figures)
-      run.provenance.figure += (run.provenance.figure.empty() ? "" : ", ") + figure;
+    PointCheckpoints checkpoints(output->checkpoints(point.name), control, identity);
+    const PointRun run{*output,          provenance_of(point), identity, ProgressStyle::of_stderr(mpi_rank()),
+                       options_.threads, checkpoints};
     try {
       case_.run(point, run);
     } catch (const CorruptFileError&) {
@@ -188,6 +182,21 @@ class CaseProgram {
       throw FileError(error.what() + std::string(kept ? "; the same command goes on from its last checkpoint" : ""));
     }
     on_first_rank([&] { output->checkpoints(point.name).remove(); });
+  }
+
+  /// Of a run of that point which begins now.
+  Provenance provenance_of(const Point& point) const {
+    Provenance provenance = start_provenance(arguments_);
+    provenance.mpi_ranks = mpi_ranks();
+    provenance.case_name = case_.description().name;
+    provenance.point = point.name;
+    provenance.scale = options_.scale;
+    provenance.predicted_seconds = point.predicted_seconds;
+    provenance.engine = point.inputs.engine;
+    if (!point.inputs.engine.empty()) provenance.engine_version = engine_version(point.inputs.engine);
+    for (const std::string& figure : point.figures)
+      provenance.figure += (provenance.figure.empty() ? "" : ", ") + figure;
+    return provenance;
   }
 
   int check() const {
@@ -212,24 +221,17 @@ class CaseProgram {
     return to_int(all_met(verdicts) ? ExitCode::ok : ExitCode::claim_not_met);
   }
 
-  /// The chosen points whose results are there. They must be of this configuration.
+  /// The chosen points whose results are there. All results must be of this run: the figures draw them all.
   std::vector<std::string> results_in(const OutputFolder& output) const {
     std::vector<std::string> present;
     for (const Point& point : points_) {
-      if (!chosen_.contains(point.name) || !std::filesystem::exists(output.file(point.name + ".h5"))) continue;
-      const std::string hash = output.hash_of(point.name);
-      if (hash.empty())
+      const auto file = output.file(point.name + OutputFolder::result_end);
+      const FoundResult found = find_result(file, identity_of(point));
+      if (found.standing == Standing::damaged) throw CorruptFileError(found.problem);
+      if (found.standing == Standing::other)
         throw ConfigurationError(
-            fmt::format("{0}/{1}.h5 is there without {0}/.flowslide/{1}.hash, which says with what configuration it "
-                        "was made; copy that folder as well",
-                        output.path().string(), point.name));
-      if (hash != configuration_.hash())
-        throw ConfigurationError(
-            fmt::format("the results of {} in {} were made with the configuration {}, not with this one, {}; give "
-                        "--check the options "
-                        "they were made with, or choose their folder with --output",
-                        point.name, output.path().string(), hash, configuration_.hash()));
-      present.push_back(point.name);
+            fmt::format("{} is the result of another run ({}); {}", file.string(), found.problem, begin_anew));
+      if (found.standing == Standing::complete && chosen_.contains(point.name)) present.push_back(point.name);
     }
     return present;
   }
@@ -264,6 +266,15 @@ Provenance PointRun::provenance_now() const {
   // What went before a checkpoint of an older version is not known, and so is the sum.
   if (const auto& kept = checkpoints.found()) now.processor_seconds += kept->so_far.provenance.processor_seconds;
   return now;
+}
+
+Result PointRun::result(Series series, std::vector<Metric> metrics) const {
+  Result result;
+  result.provenance = provenance_now();
+  identity.stamp(result);
+  result.series = std::move(series);
+  result.metrics = std::move(metrics);
+  return result;
 }
 
 int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder) {

@@ -14,7 +14,8 @@
 #include "app/point_checkpoints.hpp"
 #include "app/preparation_checkpoints.hpp"
 #include "app/progress.hpp"
-#include "record/provenance.hpp"
+#include "app/run_identity.hpp"
+#include "record/result_file.hpp"
 
 namespace flowslide {
 
@@ -25,14 +26,14 @@ struct Point {
   std::string description;
   double predicted_seconds = 0.0;     ///< on one core, with its samples in the cache
   std::string sample = {};            ///< the prepared sample that it needs, in letters, digits and "_"; empty: none
+  RunInputs inputs = {};              ///< what else decides its result
 };
 
 /// What a point needs to be run.
 struct PointRun {
   const OutputFolder& output;
-  Provenance provenance;              ///< complete but for engine_version, seed and replicate
-  std::string configuration;          ///< resolved
-  std::string configuration_hash;
+  Provenance provenance;  ///< complete but for seed and replicate
+  const RunIdentity& identity;
   ProgressStyle progress;
   int threads;                        ///< of the native engines; 0: they decide
   PointCheckpoints& checkpoints;      ///< what it goes on from, and to be asked at each border between exchanges
@@ -41,6 +42,8 @@ struct PointRun {
   /// `provenance` with what the point has cost so far: that of its checkpoint, and of this process since it `begun`,
   /// for each of its ranks, which wait for each other.
   Provenance provenance_now() const;
+  /// What is written of the point: these rows and numbers, with their origin. Lacks seed and replicate.
+  Result result(Series series, std::vector<Metric> metrics) const;
 };
 
 /// A case of the paper: what differs between their programs.

@@ -14,12 +14,6 @@
 namespace flowslide {
 namespace {
 
-Relation relation_of(const std::string& symbol) {
-  for (const Relation relation : {Relation::less, Relation::at_most, Relation::greater, Relation::at_least})
-    if (symbol_of(relation) == symbol) return relation;
-  return Relation::between;
-}
-
 bool is_name(const std::string& text) {
   const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
   return !text.empty() && std::all_of(text.begin(), text.end(), allowed);
@@ -50,7 +44,11 @@ Claim read_claim(const Configuration& configuration, const std::string& prefix) 
   claim.figure = configuration.text(prefix + "figure");
   claim.sentence = configuration.text(prefix + "sentence");
   claim.metric = configuration.text(prefix + "metric");
-  claim.relation = relation_of(configuration.text(prefix + "relation", {"<", "<=", ">", ">=", "between"}));
+  claim.relation = configuration.choice<Relation>(prefix + "relation", {{"<", Relation::less},
+                                                                        {"<=", Relation::at_most},
+                                                                        {">", Relation::greater},
+                                                                        {">=", Relation::at_least},
+                                                                        {"between", Relation::between}});
   read_thresholds(configuration, prefix + "threshold", claim);
   claim.unit = configuration.text(prefix + "unit");
   claim.origin = configuration.text(prefix + "origin");

@@ -122,7 +122,10 @@ void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
                "Go on with a folder of results, which must be there. Points go on from their checkpoints without this "
                "option, too; those that have none begin at the beginning")
       ->group(group);
-  app.add_flag("--afresh", command_line.afresh, "Delete the checkpoints of the points first, and begin them anew")
+  app.add_flag(
+         "--afresh", command_line.afresh,
+         "Begin the points anew: delete their checkpoints first, and results that are damaged or of another run (other "
+         "settings, input files or engine), which are else refused. Complete results of this run are kept")
       ->excludes("--resume")
       ->group(group);
   app.add_option("--threads", command_line.threads,

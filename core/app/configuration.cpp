@@ -37,7 +37,15 @@ Configuration Configuration::from_text(std::string_view toml, std::string origin
 }
 
 void Configuration::index_entries() {
+  positions_.clear();
   for (std::size_t i = 0; i < entries_.size(); ++i) positions_.emplace(entries_[i].key, i);
+}
+
+Configuration Configuration::overlaid(std::string_view toml, const std::string& origin) const {
+  Configuration configuration = *this;
+  overlay(configuration.entries_, read_entries(toml, origin));
+  configuration.index_entries();
+  return configuration;
 }
 
 void Configuration::lay_over(const std::filesystem::path& file, const std::string& scale,

@@ -2,6 +2,7 @@
 // What a run is asked to do: TOML in layers, read once, checked for type, dimension, range and spelling.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -9,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/entry.hpp"
@@ -50,6 +52,9 @@ class Configuration {
   /// A single layer from a text; `origin` stands for the file in messages.
   static Configuration from_text(std::string_view toml, std::string origin = "text");
 
+  /// This configuration under one more layer.
+  Configuration overlaid(std::string_view toml, const std::string& origin) const;
+
   /// Whether the key, a value or a table, is there. Marks it as known.
   bool has(std::string_view key) const;
   /// Whether a table is there that the case file does not have: --config or --set brought it.
@@ -64,6 +69,13 @@ class Configuration {
   bool flag(std::string_view key) const;
   /// A text; one of `allowed` unless that is empty.
   std::string text(std::string_view key, const std::vector<std::string>& allowed = {}) const;
+
+  /// The value whose name the text is; another text is refused. There is no other list of the names.
+  template <typename Value>
+  Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values) const;
+  /// The path of a file; a relative one is resolved beside the file that names it, or in the current folder if an
+  /// option does.
+  std::filesystem::path path(std::string_view key) const;
 
   /// Lists; a single value counts as a list of one. An empty list is refused.
   std::vector<double> quantities(std::string_view key, const Dimension& dimension,
@@ -122,5 +134,13 @@ class Configuration {
   mutable std::map<std::string, std::string> overridden_;  ///< key -> a nearer one that stood in for it
   mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with its unit
 };
+
+template <typename Value>
+Value Configuration::choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values) const {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  const auto given = std::find(names.begin(), names.end(), text(key, names));
+  return values.at(static_cast<std::size_t>(given - names.begin())).second;
+}
 
 }  // namespace flowslide

@@ -88,6 +88,13 @@ std::string Configuration::text(std::string_view key, const std::vector<std::str
   return value;
 }
 
+std::filesystem::path Configuration::path(std::string_view key) const {
+  const std::filesystem::path written = text(key);
+  const Place& place = find(key)->whole.place;
+  const bool in_file = place.line > 0;
+  return in_file ? std::filesystem::path(place.origin).parent_path() / written : written;
+}
+
 std::vector<double> Configuration::quantities(std::string_view key, const Dimension& dimension,
                                               const Range& range) const {
   std::vector<double> values;

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 #include "app/loading_table.hpp"
 #include "app/tables.hpp"
-#include "grains/measures.hpp"
 
 namespace flowslide {
 namespace {
@@ -66,52 +66,66 @@ void check_portions(const Tables& table, const SlideSettings& settings, double s
 
 }  // namespace
 
-StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
-                           const std::filesystem::path& folder) {
+StressHistory read_loading(const Configuration& configuration, const TableNames& tables) {
   const Tables loading(configuration, tables);
-  const std::string history = loading.text("history", {"constant", "rate", "pulse", "table"});
   loading.accept({"change", "rate", "duration", "final_change", "amplitude", "file"});
-  if (history == "rate") return read_constant_rate(loading);
-  if (history == "pulse")
+  const auto constant = [&]() -> StressHistory {
+    if (loading.has("change")) return StressTable{{0.0}, {loading.quantity("change", dimension::stress)}};
+    return NoChange{};
+  };
+  const auto rate = [&]() -> StressHistory { return read_constant_rate(loading); };
+  const auto pulse = [&]() -> StressHistory {
     return SinePulse{loading.quantity("amplitude", dimension::stress), loading.positive("duration", dimension::time)};
-  if (history == "table") return read_loading_table(folder / loading.text("file"));
-  if (loading.has("change")) return StressTable{{0.0}, {loading.quantity("change", dimension::stress)}};
-  return NoChange{};
+  };
+  const auto table = [&]() -> StressHistory { return read_loading_table(loading.path("file")); };
+  return loading.choice<std::function<StressHistory()>>(
+      "history", {{"constant", constant}, {"rate", rate}, {"pulse", pulse}, {"table", table}})();
+}
+
+std::vector<InputTable> loading_inputs(const Configuration& configuration, const TableNames& tables,
+                                       const StressHistory& loading) {
+  const Tables table(configuration, tables);
+  if (table.text("history") != "table") return {};
+  return {input_table(table.text("file"), std::get<StressTable>(loading))};
 }
 
 RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
                         double initial_normal_stress) {
   const Tables coupling(configuration, tables);
-  const std::string rule =
-      coupling.text("rate", {"global", "constant", "constant_inertial_number", "at_least_quasi_static"});
   coupling.accept({"inertial_number", "smallest_rate", "smallest_rate_from"});
-  if (rule == "global") return GlobalRate{};
-  const double number = coupling.number("inertial_number", Range::positive());
-  if (rule == "constant")
-    return ConstantStrainRate{shear_rate_for(number, grains.mean_diameter, grains.density, initial_normal_stress)};
-  if (rule == "at_least_quasi_static") return GlobalRateAtLeastQuasiStatic{number, grains};
-  ConstantInertialNumber quasi_static{
-      number, coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()), grains};
-  if (coupling.has("smallest_rate_from"))
-    quasi_static.smallest_rate_from = coupling.number("smallest_rate_from", Range::not_negative());
-  return quasi_static;
+  const auto number = [&] { return coupling.number("inertial_number", Range::positive()); };
+  const auto global = []() -> RateRule { return GlobalRate{}; };
+  const auto constant = [&]() -> RateRule {
+    return for_grains(ConstantStrainRate{0.0, number()}, grains, initial_normal_stress);
+  };
+  const auto constant_inertial_number = [&]() -> RateRule {
+    ConstantInertialNumber rule{number(), coupling.quantity("smallest_rate", dimension::rate, Range::not_negative()),
+                                grains};
+    if (coupling.has("smallest_rate_from"))
+      rule.smallest_rate_from = coupling.number("smallest_rate_from", Range::not_negative());
+    return rule;
+  };
+  const auto at_least = [&]() -> RateRule { return GlobalRateAtLeastQuasiStatic{number(), grains}; };
+  return coupling.choice<std::function<RateRule()>>("rate", {{"global", global},
+                                                             {"constant", constant},
+                                                             {"constant_inertial_number", constant_inertial_number},
+                                                             {"at_least_quasi_static", at_least}})();
 }
 
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables) {
   const Tables coupling(configuration, tables);
-  const std::string rule = coupling.text(
-      "passing", {"carry_remainder", "accumulate_and_reset", "whole_increment", "variable_time_step"});
   coupling.accept({"n_accum"});
   StrainPassing passing;
   passing.time_step = coupling.positive("local_time_step", dimension::time);
-  const auto least = [&] { return coupling.integer("n_accum", Range::between(1, most_steps_allowed)); };
-  double fewest = 1.0;
-  if (rule == "carry_remainder") passing.rule = CarryRemainder{least()};
-  if (rule == "accumulate_and_reset") passing.rule = AccumulateAndReset{least()};
-  if (rule == "carry_remainder" || rule == "accumulate_and_reset") fewest = static_cast<double>(least());
-  if (rule == "whole_increment") passing.rule = WholeIncrement{};
-  if (rule == "variable_time_step") passing.rule = VariableTimeStep{};
-  passing.most_steps = coupling.integer("most_steps", Range::between(fewest, most_steps_allowed));
+  std::int64_t fewest = 1;
+  const auto least = [&] { return fewest = coupling.integer("n_accum", Range::between(1, most_steps_allowed)); };
+  using Rule = decltype(passing.rule);
+  passing.rule = coupling.choice<std::function<Rule()>>(
+      "passing", {{"carry_remainder", [&]() -> Rule { return CarryRemainder{least()}; }},
+                  {"accumulate_and_reset", [&]() -> Rule { return AccumulateAndReset{least()}; }},
+                  {"whole_increment", []() -> Rule { return WholeIncrement{}; }},
+                  {"variable_time_step", []() -> Rule { return VariableTimeStep{}; }}})();
+  passing.most_steps = coupling.integer("most_steps", Range::between(static_cast<double>(fewest), most_steps_allowed));
   return passing;
 }
 
@@ -123,12 +137,11 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
   settings.time_step = coupling.positive("time_step", dimension::time);
   settings.rate = read_rate_rule(configuration, tables, grains, initial_normal_stress(slope));
   settings.passing = read_strain_passing(configuration, tables);
-  const bool euler = coupling.text("consolidation", {"exponential", "euler"}) == "euler";
-  settings.consolidation = euler ? ConsolidationScheme::euler : ConsolidationScheme::exponential;
-  const std::string residual = coupling.text("residual", {"fades", "left_out", "stays"});
-  settings.residual = residual == "fades"      ? ResidualTreatment::fades
-                      : residual == "left_out" ? ResidualTreatment::left_out
-                                               : ResidualTreatment::stays;
+  settings.consolidation = coupling.choice<ConsolidationScheme>(
+      "consolidation", {{"exponential", ConsolidationScheme::exponential}, {"euler", ConsolidationScheme::euler}});
+  settings.residual = coupling.choice<ResidualTreatment>("residual", {{"fades", ResidualTreatment::fades},
+                                                                      {"left_out", ResidualTreatment::left_out},
+                                                                      {"stays", ResidualTreatment::stays}});
   if (coupling.has("initial_velocity"))
     settings.initial_velocity = coupling.quantity("initial_velocity", dimension::velocity);
   if (coupling.has("stress_interval"))
@@ -141,7 +154,7 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
                   fmt::format("sliding on a sample of G = {:.3g} Pa, 2/omega,", shear_modulus));
   check_portions(coupling, settings, sliding_time_step_limit(slope, shear_modulus));
   const double modulus = settings.oedometric_modulus;
-  if (euler)
+  if (settings.consolidation == ConsolidationScheme::euler)
     check_stability(coupling, settings.time_step, consolidation_time_step_limit(slope, modulus),
                     fmt::format("forward Euler for drainage with M = {:.3g} Pa, 2/(M C),", modulus));
   return settings;

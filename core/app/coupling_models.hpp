@@ -3,21 +3,25 @@
 // ConfigurationError; `tables` are where its keys stand, such as {"point.pulse.loading", "loading"}: a key is read from
 // the first of them that has it. Keys that a choice does not need are accepted.
 #pragma once
-#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/configuration.hpp"
 #include "app/slide_run.hpp"
 #include "app/tables.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
+#include "record/input_table.hpp"
 
 namespace flowslide {
 
 /// history = "constant" (change, if it is not 0: applied at once), "rate" (rate; final_change or duration, if it ends),
-/// "pulse" (amplitude, duration) or "table" (file, from `folder`).
-StressHistory read_loading(const Configuration& configuration, const TableNames& tables,
-                           const std::filesystem::path& folder);
+/// "pulse" (amplitude, duration) or "table" (file, see Configuration::path).
+StressHistory read_loading(const Configuration& configuration, const TableNames& tables);
+
+/// The table of a loading that read_loading has read from a file; empty for one that needs no file.
+std::vector<InputTable> loading_inputs(const Configuration& configuration, const TableNames& tables,
+                                       const StressHistory& loading);
 
 /// rate = "global", "constant" (that of inertial_number at the initial normal stress of the slope, Pa),
 /// "constant_inertial_number" (inertial_number, smallest_rate, smallest_rate_from) or

@@ -13,6 +13,7 @@ struct ElementTest {
   double shear_rate = 0.06;      ///< 1/s
   double final_strain = 0.5;     ///< gamma
   int rows = 500;                ///< of the record; closer together at the start, where the peak is
+  double inertial_number = 0.0;  ///< I of that rate at the initial normal stress; 0: the rate was chosen as such
 
   /// Steps in all, with a time step in s. Throws std::invalid_argument for more than can be counted.
   std::int64_t steps(double time_step) const;

@@ -11,9 +11,8 @@ ElementTest read_element_test(const Configuration& configuration, const TableNam
   const Tables table(configuration, tables);
   ElementTest test;
   if (table.has("inertial_number")) {
-    const double number = table.number("inertial_number", Range::positive());
-    const double mean_diameter = lattice_packing(recipe.packing).mean_diameter();
-    test.shear_rate = shear_rate_for(number, mean_diameter, recipe.material.density, recipe.normal_stress);
+    test.inertial_number = table.number("inertial_number", Range::positive());
+    test = for_sample(test, recipe, lattice_packing(recipe.packing).mean_diameter());
     if (table.has("shear_rate"))
       table.refuse("inertial_number", "the shear rate is given as well", "leave one of them out");
   } else {
@@ -21,6 +20,13 @@ ElementTest read_element_test(const Configuration& configuration, const TableNam
   }
   test.final_strain = table.number("final_strain", Range::above_up_to(0.0, 100.0));
   test.rows = static_cast<int>(table.integer("rows", Range::between(10, 100000)));
+  return test;
+}
+
+ElementTest for_sample(ElementTest test, const SampleRecipe& recipe, double mean_diameter) {
+  if (test.inertial_number > 0.0)
+    test.shear_rate =
+        shear_rate_for(test.inertial_number, mean_diameter, recipe.material.density, recipe.normal_stress);
   return test;
 }
 

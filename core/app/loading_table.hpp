@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
+#include <string>
 
+#include "record/input_table.hpp"
 #include "slope/driving_stress.hpp"
 
 namespace flowslide {
@@ -10,5 +12,12 @@ namespace flowslide {
 /// separated by blanks; "#" begins a comment. Throws ConfigurationError with file and line if the file cannot be read
 /// or is no valid table: empty, unsorted, not finite, not two numbers.
 StressTable read_loading_table(const std::filesystem::path& file);
+
+/// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
+/// configuration.
+InputTable input_table(const std::string& file, const StressTable& table);
+
+/// The table that input_table was given. Throws std::out_of_range if `input` has no such columns.
+StressTable stress_table(const InputTable& input);
 
 }  // namespace flowslide

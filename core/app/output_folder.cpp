@@ -16,7 +16,6 @@
 #include <thread>
 #include <vector>
 
-#include "app/difference.hpp"
 #include "app/error.hpp"
 #include "record/atomic_file.hpp"
 
@@ -69,6 +68,10 @@ void check_foreign_files(const fs::path& path) {
   }
 }
 
+fs::path note_of(const fs::path& folder, const std::string& point) {
+  return folder / mark_folder / (point + ".identity");
+}
+
 /// What write_atomically leaves when its process is killed. The lock of the point is held: nobody writes it now.
 void remove_half_written(const fs::path& folder, const std::string& point) {
   std::error_code failure;
@@ -114,16 +117,26 @@ OutputFolder OutputFolder::open_existing(const fs::path& path, const std::string
   return OutputFolder(path);
 }
 
-std::string OutputFolder::hash_of(const std::string& point) const {
-  return read_line(path_ / mark_folder / (point + ".hash"));
+std::string OutputFolder::noted(const std::string& point) const {
+  const fs::path file = note_of(path_, point);
+  return fs::exists(file) ? read_file(file) : "";
+}
+
+void OutputFolder::note(const std::string& point, const std::string& identity) const {
+  write_atomically(note_of(path_, point), identity);
+}
+
+void OutputFolder::remove_point(const std::string& point) const {
+  for (const char* end : point_ends) fs::remove_all(file(point + end));
+  checkpoints(point).remove();
+  fs::remove(note_of(path_, point));
 }
 
 fs::path OutputFolder::lock_path(const std::string& point) const { return path_ / mark_folder / (point + ".lock"); }
 
 CheckpointStore OutputFolder::checkpoints(const std::string& point) const { return {path_ / mark_folder, point}; }
 
-FileLock OutputFolder::begin_point(const std::string& point, const std::string& hash,
-                                   const std::string& configuration) const {
+FileLock OutputFolder::lock_point(const std::string& point) const {
   const auto allowed = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   };
@@ -135,18 +148,7 @@ FileLock OutputFolder::begin_point(const std::string& point, const std::string& 
     lock = FileLock::try_lock(lock_path(point));
   }
   if (!lock) refuse(path_, fmt::format("is in use: another process runs the point \"{}\" there", point));
-  const std::string before = hash_of(point);
-  const fs::path kept = path_ / mark_folder / (point + ".toml");
-  if (!before.empty() && before != hash) {
-    std::error_code failure;
-    const std::string difference = fs::exists(kept, failure) ? difference_of(read_file(kept), configuration) : "";
-    refuse(path_, fmt::format("holds the point \"{}\" of another configuration (hash {}, now {}{}), which is not "
-                              "overwritten",
-                              point, before, hash, difference.empty() ? "" : ": " + difference));
-  }
   for (const fs::path& folder : {path_, path_ / mark_folder}) remove_half_written(folder, point);
-  write_atomically(kept, configuration);
-  write_atomically(path_ / mark_folder / (point + ".hash"), hash + "\n");
   return *std::move(lock);
 }
 

@@ -2,6 +2,7 @@
 // The folder that a run writes into, and the rules that keep other people's files safe.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,10 +13,14 @@
 namespace flowslide {
 
 /// A folder of results of one case. It holds a folder ".flowslide" that says so: a file "case" with the name of the
-/// case, and per point the hash of the configuration that it was run with (<point>.hash), that configuration
-/// (<point>.toml), the lock of the process that runs it (<point>.lock) and, until it is complete, its checkpoints.
+/// case, and per point the identity of the run that it was begun with (<point>.identity), the lock of the process that
+/// runs it (<point>.lock) and, until it is complete, its checkpoints.
 class OutputFolder {
  public:
+  static constexpr const char* result_end = ".h5";
+  /// Ends of the names of all files and folders that cases write for a point; the first is that of its result.
+  static constexpr std::array point_ends{result_end, ".dat", "_profiles.dat", "_details.dat", ".md", ".pvd", "_frames"};
+
   /// Creates the folder where it is absent, and marks it. Throws ConfigurationError, before anything is written, when
   /// the path is no folder, cannot be written, holds files but no mark of this program, or belongs to another case.
   static OutputFolder open(const std::filesystem::path& path, const std::string& case_name);
@@ -25,14 +30,15 @@ class OutputFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
 
-  /// The hash a point was begun with; empty when it was not begun.
-  std::string hash_of(const std::string& point) const;
-  /// Notes that a point is begun with a resolved configuration and its hash. The lock is to be held while it runs: that
-  /// another process holds it is a ConfigurationError, as is that the point was begun with another configuration (the
-  /// message shows the difference). What an ended process left half written is removed. `point` must be letters,
-  /// digits, "_", "-", "." or std::invalid_argument is thrown.
-  [[nodiscard]] FileLock begin_point(const std::string& point, const std::string& hash,
-                                     const std::string& configuration) const;
+  /// The lock of a point, to be held while it runs. Removes what an ended process left half written. Throws
+  /// ConfigurationError if another process holds it, and std::invalid_argument unless `point` is letters, digits, "_",
+  /// "-" and ".".
+  [[nodiscard]] FileLock lock_point(const std::string& point) const;
+  /// The text of the identity that a point was begun with (see RunIdentity); empty when it was not begun.
+  std::string noted(const std::string& point) const;
+  void note(const std::string& point, const std::string& identity) const;
+  /// Removes the files of a point: its result, its tables, its checkpoints and its note. Its lock must be held.
+  void remove_point(const std::string& point) const;
   std::filesystem::path lock_path(const std::string& point) const;
   CheckpointStore checkpoints(const std::string& point) const;
 

@@ -5,9 +5,9 @@
 
 #include <ostream>
 
+#include "app/run_identity.hpp"
 #include "app/sample_health.hpp"
 #include "dem/liggghts/commands.hpp"
-#include "dem/make_engine.hpp"
 
 namespace flowslide {
 
@@ -26,7 +26,7 @@ void print_sample_plan(std::ostream& out, const SampleSpecification& sample, con
                      sample.recipe.drag, sample.recipe.packing.seed);
   out << fmt::format(
       "# key of its first trial in the cache: {}\n",
-      cache_key(sample.recipe, preparation_engine + " " + make_engine(preparation_engine, "/dev/null")->version()));
+      cache_key(sample.recipe, preparation_identity(preparation_engine, engine_version(preparation_engine))));
 }
 
 void print_found_sample(std::ostream& out, const SampleSpecification& wanted, const FoundSample& found) {

@@ -7,11 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/difference.hpp"
 #include "app/error.hpp"
 #include "app/ranks.hpp"
 #include "dem/liggghts/instance.hpp"
-#include "record/hash.hpp"
 
 namespace flowslide {
 namespace {
@@ -20,11 +18,9 @@ void say(const std::string& text) {
   if (mpi_rank() == 0) std::cerr << text << std::endl;
 }
 
-constexpr const char* begin_anew = "begin the point anew with --afresh, or choose another folder with --output";
-
 }  // namespace
 
-PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, const std::string& configuration)
+PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, const RunIdentity& identity)
     : store_(std::move(store)), control_(control) {
   // cppcheck-suppress useInitializationList
   const auto read = [&](const hdf5::Group& root) { found_ = read_checkpoint(root); };
@@ -34,27 +30,18 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
   try {
     if (store_.read_newest(read, complain) == 0) return;
   } catch (const CorruptFileError& error) {
-    throw CorruptFileError(fmt::format("{}; {}", error.what(), begin_anew));
+    throw CorruptFileError(
+        fmt::format("{}; begin the point anew with --afresh, or choose another folder with --output", error.what()));
   }
-  const Result& there = found_->so_far;
-  if (there.configuration_hash != hash_of(configuration))
-    throw ConfigurationError(fmt::format("the checkpoint {} is of another configuration ({}); give the options it was "
-                                         "made with, {}", store_.path(0).string(),
-                                         difference_of(there.configuration, configuration), begin_anew));
+  const std::string difference = identity.difference_from(RunIdentity(found_->so_far));
+  if (!difference.empty())
+    throw ConfigurationError(
+        fmt::format("the checkpoint {} is of another run ({}); {}", store_.path(0).string(), difference, begin_anew));
   say(fmt::format("{}: goes on from its checkpoint at {}", label(), place_of(*found_)));
 }
 
 std::string PointCheckpoints::label() const {
   return found_ ? found_->so_far.provenance.case_name + " " + found_->so_far.provenance.point : std::string("it");
-}
-
-void PointCheckpoints::check_engine(const std::string& name, const std::string& version) const {
-  if (!found_) return;
-  const Provenance& there = found_->so_far.provenance;
-  if (there.engine != name || there.engine_version != version)
-    throw ConfigurationError(fmt::format("the checkpoint {} was made by the engine {} {}, and this is {} {}, which "
-                                         "would go on with other bits; {}", store_.path(0).string(), there.engine,
-                                         there.engine_version, name, version, begin_anew));
 }
 
 void PointCheckpoints::border(const std::function<Checkpoint()>& now) {

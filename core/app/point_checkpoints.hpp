@@ -6,6 +6,7 @@
 
 #include "app/checkpoint.hpp"
 #include "app/run_control.hpp"
+#include "app/run_identity.hpp"
 #include "record/checkpoint_store.hpp"
 
 namespace flowslide {
@@ -15,15 +16,12 @@ namespace flowslide {
 class PointCheckpoints {
  public:
   /// Reads what there is to go on from; damaged files are told on stderr and the one before is used. Throws
-  /// ConfigurationError, with the difference, if it is of another configuration, and CorruptFileError if there are
-  /// checkpoints and none can be used.
-  PointCheckpoints(CheckpointStore store, RunControl& control, const std::string& configuration);
+  /// ConfigurationError, with the difference, if it is of another run, and CorruptFileError if there are checkpoints
+  /// and none can be used.
+  PointCheckpoints(CheckpointStore store, RunControl& control, const RunIdentity& identity);
 
   /// What to go on from; empty at the beginning.
   const std::optional<Checkpoint>& found() const { return found_; }
-  /// Throws ConfigurationError if what was found is of another engine or another version of it: it would go on with
-  /// other bits.
-  void check_engine(const std::string& name, const std::string& version) const;
 
   /// At each border between exchanges: keeps what `now` says if that is due, and throws Stopped if the run is to stop.
   /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/ranks.hpp"
+#include "app/run_identity.hpp"
 #include "app/sample_health.hpp"
 #include "record/hash.hpp"
 #include "record/sample_store.hpp"
@@ -116,7 +117,7 @@ struct Trials {
   const PreparationBorder& border;
 
   PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
-    const std::string key = cache_key(recipe, engine.name() + " " + engine.version());
+    const std::string key = cache_key(recipe, preparation_identity(engine.name(), engine.version()));
     const std::optional<FileLock> lock = wait_for(store, key, border);
     if (const auto kept = store.find(key)) {
       try {
@@ -161,8 +162,8 @@ std::filesystem::path sample_cache_folder() {
   return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path("cache");
 }
 
-std::string cache_key(const SampleRecipe& recipe, const std::string& engine) {
-  return hash_of(recipe.text() + "engine = " + engine + "\n");
+std::string cache_key(const SampleRecipe& recipe, const std::string& preparation) {
+  return hash_of(recipe.text() + "preparation = " + preparation + "\n");
 }
 
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,

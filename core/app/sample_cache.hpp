@@ -28,8 +28,8 @@ std::vector<Metric> metrics_of(const FoundSample& found);
 /// when it makes it.
 std::filesystem::path sample_cache_folder();
 
-/// Key of a recipe in the cache.
-std::string cache_key(const SampleRecipe& recipe, const std::string& engine);
+/// Key of a recipe in the cache; `preparation` is a preparation_identity.
+std::string cache_key(const SampleRecipe& recipe, const std::string& preparation);
 
 /// Searches the recipe until the sample has its void ratio. Every trial is kept in the cache under the hash of all that
 /// went into it, engine included, one that failed with its reason, so that the same search takes the same way again

@@ -21,11 +21,6 @@ namespace {
 
 constexpr int band_rows = 200;  ///< of a figure: finer than what it can show
 
-bool is_closed_form(const std::string& engine) {
-  const std::vector<std::string> names = closed_form_sample_names();
-  return std::find(names.begin(), names.end(), engine) != names.end();
-}
-
 Table band_table(const std::string& case_name, const std::string& slide, std::size_t replicates, Series series) {
   return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
 }
@@ -59,11 +54,9 @@ struct SlideCase::Loaded {
   std::unique_ptr<Sample> sample;
   DemSample* grains = nullptr;        ///< the sample, if it is made of them
   std::vector<Metric> metrics;        ///< of the sample
-  std::string engine_name, engine_version;
 };
 
-SlideCase::SlideCase(CaseDescription description, std::filesystem::path folder)
-    : description_(std::move(description)), folder_(std::move(folder)) {
+SlideCase::SlideCase(CaseDescription description) : description_(std::move(description)) {
   description_.engines = engine_names();
   for (const std::string& name : closed_form_sample_names()) description_.engines.push_back(name);
 }
@@ -87,8 +80,10 @@ void SlideCase::read(const Configuration& configuration) {
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
-      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine, folder_);
+      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine);
       if (closed_form_) read.point.sample.clear();
+      else
+        read.point.inputs.preparation_engine = preparation_engine_;
       if (!read.test || !closed_form_) slides_.push_back(std::move(read));
     }
   }
@@ -127,12 +122,10 @@ void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const
   on_first_rank([&] { print_found_sample(std::cout, sample, found); });
 }
 
-SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) const {
+SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const {
   Loaded loaded;
   if (closed_form_) {
     loaded.sample = closed_form_();
-    loaded.engine_name = slide.engine;
-    loaded.engine_version = run.provenance.code_version;
     return loaded;
   }
   const auto preparing =
@@ -140,6 +133,7 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
                                         [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   loaded.metrics = metrics_of(found);
+  slide = on_sample(std::move(slide), found.sample.assembly.mean_diameter());
   loaded.engine =
       make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"), run.threads);
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
@@ -148,8 +142,6 @@ SlideCase::Loaded SlideCase::load(const SlidePoint& slide, const PointRun& run) 
   if (slide.linear_start) grains->start_linear_at_first_strain();
   loaded.grains = grains.get();
   loaded.sample = std::move(grains);
-  loaded.engine_name = loaded.engine->name();
-  loaded.engine_version = loaded.engine->version();
   return loaded;
 }
 
@@ -177,10 +169,8 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
 }
 
 SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  const GrainScale grains{lattice_packing(running.sample.recipe.packing).mean_diameter(),
-                          running.sample.recipe.material.density};
   Slide sliding(running.settings, *loaded.sample);
-  SlideRecord record{running.rows, grains};
+  SlideRecord record{running.rows, running.grains};
   ProfileRecord profiles(running.profiles);
   if (const auto& found = run.checkpoints.found()) {
     if (!found->slide)
@@ -188,7 +178,8 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
     loaded.sample->restore(found->sample);
     sliding.restore(found->slide->state);
     profiles.restore(found->slide->profiles);
-    record = {found->slide->spacing, grains, found->so_far.series, found->slide->next_time, found->slide->next_strain};
+    record = {found->slide->spacing, running.grains, found->so_far.series, found->slide->next_time,
+              found->slide->next_strain};
   }
   SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop,
                          run.progress, sliding.state());
@@ -212,24 +203,21 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
 
 Result SlideCase::result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run,
                             const Records& records) const {
-  Result result{run.provenance_now(), run.configuration, run.configuration_hash, records.series, loaded.metrics};
+  Result result = run.result(records.series, loaded.metrics);
   try {
     for (const Metric& metric : slide_metrics({running, records.series, records.profiles, records.stop, loaded.grains}))
       if (std::isfinite(metric.value)) result.metrics.push_back(metric);
   } catch (const std::invalid_argument&) {
     if (records.stop != Stop::not_yet) throw;  // a record that is not complete may be too short for them
   }
-  result.provenance.engine = loaded.engine_name;
-  result.provenance.engine_version = loaded.engine_version;
   result.provenance.seed = seed_;
   result.provenance.replicate = running.replicate;
   return result;
 }
 
 void SlideCase::run(const Point& point, const PointRun& run) const {
-  const SlidePoint& running = slide(point.name);
+  SlidePoint running = slide(point.name);
   Loaded loaded = load(running, run);
-  run.checkpoints.check_engine(loaded.engine_name, loaded.engine_version);
   const Records records = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
   const Result result = result_of(running, loaded, run, records);
   on_first_rank([&] { write_point(run.output, point.name, result, records.profiles); });

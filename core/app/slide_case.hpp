@@ -26,8 +26,7 @@ struct SlideOutcome {
 
 class SlideCase : public Case {
  public:
-  /// `folder` holds case.toml and the loading tables that it names.
-  SlideCase(CaseDescription description, std::filesystem::path folder);
+  explicit SlideCase(CaseDescription description);
 
   CaseDescription description() const override { return description_; }
   void read(const Configuration& configuration) override;
@@ -63,14 +62,14 @@ class SlideCase : public Case {
   struct Loaded;
   struct Records;
   const SlidePoint& slide(const std::string& point) const;
-  Loaded load(const SlidePoint& slide, const PointRun& run) const;
+  /// Finds the sample of a point, and makes the point one on that sample (see on_sample).
+  Loaded load(SlidePoint& slide, const PointRun& run) const;
   Records shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
   Records slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const;
   /// What is written of records, complete or not.
   Result result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run, const Records& records) const;
 
   CaseDescription description_;
-  std::filesystem::path folder_;
   std::string preparation_engine_;
   std::function<std::unique_ptr<Sample>()> closed_form_;  ///< in place of an engine
   std::int64_t seed_ = 1;

@@ -85,7 +85,7 @@ std::string describe(const SlidePoint& point, const std::string& scheme) {
 
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
-                            const std::string& engine, const std::filesystem::path& folder) {
+                            const std::string& engine) {
   const std::vector<std::string> tables = tables_of(configuration, name);
   const Tables table(configuration, tables);
   SlidePoint read;
@@ -95,7 +95,9 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.point.name = replicate_name(name, replicate);
   read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
+  read.grains = {lattice_packing(read.sample.recipe.packing).mean_diameter(), read.sample.recipe.material.density};
   read.engine = engine_of(table, engine);
+  read.point.inputs.engine = read.engine;
   if (table.has("final_strain")) {
     read_test(configuration, tables, read);
     return read;
@@ -108,9 +110,10 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   if (table.has("hydraulic_conductivity"))
     own_slope.hydraulic_conductivity =
         table.quantity("hydraulic_conductivity", dimension::velocity, Range::not_negative());
-  const GrainScale grains{lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
-  read.settings = read_coupling(configuration, coupling, own_slope, grains);
-  read.settings.loading = read_loading(configuration, within(tables, "loading", {"loading"}), folder);
+  read.settings = read_coupling(configuration, coupling, own_slope, read.grains);
+  const TableNames loading = within(tables, "loading", {"loading"});
+  read.settings.loading = read_loading(configuration, loading);
+  read.point.inputs.tables = loading_inputs(configuration, loading, read.settings.loading);
   check_local_time_step(configuration, coupling, recipe, read.engine);
   const Tables settings(configuration, coupling);
   read.linear_start = settings.has("linear_start") && settings.flag("linear_start");
@@ -121,6 +124,15 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.point.description = describe(read, scheme);
   read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);
   return read;
+}
+
+SlidePoint on_sample(SlidePoint point, double mean_diameter) {
+  point.grains.mean_diameter = mean_diameter;
+  if (point.test)
+    point.test = for_sample(*point.test, point.sample.recipe, mean_diameter);
+  else
+    point.settings.rate = for_grains(point.settings.rate, point.grains, initial_normal_stress(point.settings.slope));
+  return point;
 }
 
 double predicted_steps(const SlideSettings& settings, const StopConditions& stop) {

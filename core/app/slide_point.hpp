@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +18,7 @@ struct SlidePoint {
   std::string name;            ///< of the table
   int replicate = 0;           ///< from 0
   SampleSpecification sample;
+  GrainScale grains;           ///< of the packing that the search begins with, or of the sample: see on_sample
   std::string engine;          ///< or closed-form sample
   std::optional<ElementTest> test;  ///< of the sample alone, in place of a slide; it needs grains
   SlideSettings settings;           ///< of a test, the local time step alone
@@ -37,7 +37,11 @@ struct SlidePoint {
 /// `samples` are those of the replicate; the engine decides the predicted time. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
-                            const std::string& engine, const std::filesystem::path& folder);
+                            const std::string& engine);
+
+/// The point on the sample that was found for it, whose mean diameter (m) decides the rates that follow from an
+/// inertial number.
+SlidePoint on_sample(SlidePoint point, double mean_diameter);
 
 /// Local steps that a slide would take on a sample without strength: about as many as it takes at most.
 double predicted_steps(const SlideSettings& settings, const StopConditions& stop);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 #include "app/error.hpp"
@@ -13,6 +14,9 @@ namespace flowslide {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The result last: a point is complete with that.
+constexpr std::array copied_ends{".dat", "_profiles.dat", OutputFolder::result_end};
 
 std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std::string& point) {
   std::optional<Checkpoint> last;
@@ -25,16 +29,30 @@ std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std:
   return last;
 }
 
-/// False if the point has written nothing that can be drawn.
-bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std::string& point, std::string& said) {
-  for (const char* end : {".h5", ".dat", "_profiles.dat"}) fs::remove(copy.file(point + end));
-  if (fs::exists(output.file(point + ".h5"))) {
-    for (const char* end : {".dat", "_profiles.dat", ".h5"})
+/// Why neither the result nor the checkpoint can be shown; empty if one can, or if there is none.
+std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>& last, const RunIdentity& identity) {
+  if (found.standing == Standing::damaged) return found.problem;
+  std::string difference = found.problem;
+  if (difference.empty() && last) difference = identity.difference_from(RunIdentity(last->so_far));
+  return difference.empty() ? "" : "of another run: " + difference;
+}
+
+/// False if the point has written nothing of this run that can be drawn.
+bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std::string& point,
+                const RunIdentity& identity, std::string& said) {
+  copy.remove_point(point);
+  const FoundResult found = find_result(output.file(point + OutputFolder::result_end), identity);
+  if (found.standing == Standing::complete) {
+    for (const char* end : copied_ends)
       if (fs::exists(output.file(point + end))) fs::copy_file(output.file(point + end), copy.file(point + end));
     said += fmt::format("{}: complete\n", point);
     return true;
   }
   const auto last = last_checkpoint(output, point);
+  if (const std::string problem = problem_of(found, last, identity); !problem.empty()) {
+    said += fmt::format("{}: left out: {}\n", point, problem);
+    return false;
+  }
   said += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
   if (!last) return false;
   Table table = table_of(last->so_far);
@@ -49,13 +67,16 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
 
 }  // namespace
 
-std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy, const std::vector<std::string>& points) {
+std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
+                        const std::map<std::string, RunIdentity>& points) {
   std::string said;
   bool any = false;
-  for (const std::string& point : points) any = copy_point(output, copy, point, said) || any;
+  for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, said) || any;
   if (!any)
-    throw ConfigurationError(fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
-                                         "written every --checkpoint-interval", output.path().string()));
+    throw ConfigurationError(
+        fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
+                    "written every --checkpoint-interval\n{}",
+                    output.path().string(), said));
   return said;
 }
 

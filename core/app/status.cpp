@@ -18,7 +18,7 @@ namespace {
 
 std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
 
-void read_last_checkpoint(const CheckpointStore& store, PointStatus& status) {
+void read_last_checkpoint(const CheckpointStore& store, const RunIdentity& identity, PointStatus& status) {
   const auto last = store.last_write();
   if (!last) return;
   const std::chrono::duration<double> age = std::filesystem::file_time_type::clock::now() - *last;
@@ -27,33 +27,34 @@ void read_last_checkpoint(const CheckpointStore& store, PointStatus& status) {
     store.read_newest(
         [&](const hdf5::Group& root) {
           const Checkpoint checkpoint = read_checkpoint(root);
-          status.place = place_of(checkpoint);
+          const std::string difference = identity.difference_from(RunIdentity(checkpoint.so_far));
+          status.state = difference.empty() ? "stopped" : "outdated";
+          status.place = difference.empty() ? place_of(checkpoint) : difference;
           status.share_done = checkpoint.share_done;
           status.sample = health_line(checkpoint.so_far.metrics);
         },
         [](std::string_view) {});
   } catch (const CorruptFileError&) {
+    status.state = "stopped";
     status.place = "its checkpoints are damaged";
   }
 }
 
 }  // namespace
 
-PointStatus status_of(const OutputFolder& output, const std::string& point) {
+PointStatus status_of(const OutputFolder& output, const std::string& point, const RunIdentity& identity) {
   PointStatus status{point, "not begun", "", 0.0, 0.0, ""};
-  const std::string hash = output.hash_of(point);
-  if (const auto file = output.file(point + ".h5"); std::filesystem::exists(file)) {
-    const bool whole = is_complete(file, hash);
-    status.state = whole ? "complete" : "damaged";
-    status.share_done = whole ? 1.0 : 0.0;
-    if (whole) status.sample = health_line(read_result(file).metrics);
-    return status;
+  const auto file = output.file(point + OutputFolder::result_end);
+  const FoundResult found = find_result(file, identity);
+  switch (found.standing) {
+    case Standing::complete: return {point, "complete", "", 1.0, 0.0, health_line(read_result(file).metrics)};
+    case Standing::damaged: return {point, "damaged", "", 0.0, 0.0, ""};
+    case Standing::other: return {point, "outdated", found.problem, 0.0, 0.0, ""};
+    case Standing::absent: break;
   }
-  const CheckpointStore store = output.checkpoints(point);
-  read_last_checkpoint(store, status);
+  if (output.noted(point) == identity.text()) status.state = "begun";
+  read_last_checkpoint(output.checkpoints(point), identity, status);
   if (FileLock::is_held(output.lock_path(point))) status.state = "running";
-  else if (!store.empty()) status.state = "stopped";
-  else if (!hash.empty()) status.state = "begun";
   return status;
 }
 

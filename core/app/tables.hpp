@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <filesystem>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/configuration.hpp"
@@ -35,6 +37,11 @@ class Tables {
   bool has(const char* name) const { return configuration_.has(key(name)); }
   std::string text(const char* name, const std::vector<std::string>& allowed = {}) const {
     return configuration_.text(key(name), allowed);
+  }
+  std::filesystem::path path(const char* name) const { return configuration_.path(key(name)); }
+  template <typename Value>
+  Value choice(const char* name, const std::vector<std::pair<std::string, Value>>& values) const {
+    return configuration_.choice(key(name), values);
   }
   double number(const char* name, const Range& range) const { return configuration_.number(key(name), range); }
   double quantity(const char* name, const Dimension& dimension, const Range& range = Range::any()) const {

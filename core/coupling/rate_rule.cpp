@@ -51,7 +51,28 @@ double asked(const GlobalRateAtLeastQuasiStatic& rule, double global_rate, doubl
   return std::max(global_rate, rate_at(rule.inertial_number, rule.grains, pressure));
 }
 
+RateRule with_grains(const GlobalRate& rule, const GrainScale&, double) { return rule; }
+
+RateRule with_grains(ConstantStrainRate rule, const GrainScale& grains, double pressure) {
+  if (rule.inertial_number > 0.0) rule.rate = rate_at(rule.inertial_number, grains, pressure);
+  return rule;
+}
+
+RateRule with_grains(ConstantInertialNumber rule, const GrainScale& grains, double) {
+  rule.grains = grains;
+  return rule;
+}
+
+RateRule with_grains(GlobalRateAtLeastQuasiStatic rule, const GrainScale& grains, double) {
+  rule.grains = grains;
+  return rule;
+}
+
 }  // namespace
+
+RateRule for_grains(const RateRule& rule, const GrainScale& grains, double initial_normal_stress) {
+  return std::visit([&](const auto& kind) { return with_grains(kind, grains, initial_normal_stress); }, rule);
+}
 
 void validate(const RateRule& rule) {
   std::visit([](const auto& kind) { check(kind); }, rule);

@@ -17,7 +17,8 @@ struct GlobalRate {};
 /// The same rate all the time, as in an element test of the sample alone: in Figs 6 and 7 that of an inertial number at
 /// the initial stress.
 struct ConstantStrainRate {
-  double rate = 0.06;  ///< 1/s, > 0
+  double rate = 0.06;            ///< 1/s, > 0
+  double inertial_number = 0.0;  ///< I that it is at the initial stress; 0: the rate was chosen as such
 };
 
 /// RI: the rate of a constant inertial number at the current pressure, I sqrt(p/rho)/D. It tends to 0 with p, which
@@ -41,6 +42,10 @@ using RateRule = std::variant<GlobalRate, ConstantStrainRate, ConstantInertialNu
 
 /// Throws std::invalid_argument if a value is out of its range.
 void validate(const RateRule& rule);
+
+/// The same rule for other grains: an inertial number stays, and the rates that follow from it change. A rate that was
+/// chosen as such stays. `initial_normal_stress` is that of the slope, Pa.
+RateRule for_grains(const RateRule& rule, const GrainScale& grains, double initial_normal_stress);
 
 /// The rate asked for, 1/s, >= 0, when the slope strains at `global_rate` (1/s, >= 0), has sheared by `shear_strain` and
 /// the sample bears `pressure` (Pa; less than nothing counts as nothing).

@@ -85,6 +85,7 @@ class Engine {
   virtual std::uint64_t count_grains() const = 0;
 
   virtual std::string name() const = 0;
+  /// Names the sources of the engine and its precision: equal versions of engines of one name give equal results.
   virtual std::string version() const = 0;
 };
 

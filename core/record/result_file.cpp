@@ -66,6 +66,13 @@ void write_result(hdf5::Group& root, const Result& result) {
   root.write_text("configuration", result.configuration).set_attribute("hash", result.configuration_hash);
   write_series(root, "series", result.series);
   write_metrics(root, "metrics", result.metrics);
+  root.write_text("identity", result.identity);
+  auto inputs = root.create_group("inputs");
+  for (const InputTable& table : result.inputs) {
+    write_series(inputs, table.name, table.rows);
+    auto group = inputs.group(table.name);
+    group.set_attribute("file", table.file);
+  }
 }
 
 Result read_result(const std::filesystem::path& path) {
@@ -79,15 +86,12 @@ Result read_result(const hdf5::Group& root) {
   result.configuration = root.read_text("configuration");
   result.series = read_series(root, "series");
   result.metrics = read_metrics(root, "metrics");
+  if (!root.has("identity")) return result;  // a file of version 0.1 or before
+  result.identity = root.read_text("identity");
+  const auto inputs = root.group("inputs");
+  for (const std::string& name : inputs.names())
+    result.inputs.push_back({name, inputs.group(name).text_attribute("file"), read_series(inputs, name)});
   return result;
-}
-
-bool is_complete(const std::filesystem::path& path, const std::string& configuration_hash) {
-  try {
-    return open_result(path).root().text_attribute("configuration_hash") == configuration_hash;
-  } catch (const FileError&) {
-    return false;
-  }
 }
 
 }  // namespace flowslide

@@ -6,6 +6,7 @@
 
 #include "record/atomic_file.hpp"
 #include "record/hdf5.hpp"
+#include "record/input_table.hpp"
 #include "record/provenance.hpp"
 #include "record/series.hpp"
 
@@ -18,6 +19,8 @@ struct Result {
   std::string configuration_hash;   ///< of that text, see hash.hpp
   Series series;
   std::vector<Metric> metrics;
+  std::string identity = {};            ///< what else decides the result: lines "name = value", see RunIdentity
+  std::vector<InputTable> inputs = {};  ///< tables that the run has read from files
 };
 
 /// Writes one HDF5 file, whole or not at all, for h5py and xarray (group "series") to read unaided:
@@ -26,6 +29,8 @@ struct Result {
 ///   /series/<column>     double, shape (rows); attributes units, long_name, symbol, sign_convention; the axis is a
 ///                        dimension scale attached to each
 ///   /metrics/<metric>    double, scalar; attributes units, long_name
+///   /identity            text: case, point, engine and contents of input files, with which the result is recognized
+///   /inputs/<name>/      the rows of an input file, as in /series; attribute `file`
 /// and behind the HDF5 content its checksum (see sealed_file.hpp), which HDF5 ignores.
 /// Throws std::invalid_argument for a series or metric that must not be written, and FileError as write_atomically.
 void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists = IfExists::refuse);
@@ -36,8 +41,5 @@ Result read_result(const std::filesystem::path& path);
 /// The same as parts of a file that holds more, below its root.
 void write_result(hdf5::Group& root, const Result& result);
 Result read_result(const hdf5::Group& root);
-
-/// True if `path` holds a whole, unaltered result of that configuration. A missing or damaged file is not complete.
-bool is_complete(const std::filesystem::path& path, const std::string& configuration_hash);
 
 }  // namespace flowslide

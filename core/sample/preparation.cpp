@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dem/source_hashes.hpp"
 #include "grains/agitation.hpp"
 #include "grains/measures.hpp"
 #include "sample/failure.hpp"
@@ -231,5 +232,7 @@ PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const 
   validate(recipe);
   return Preparation(engine, recipe, observe).run(from);
 }
+
+std::string preparation_version() { return source_hashes::preparation; }
 
 }  // namespace flowslide

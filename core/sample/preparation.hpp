@@ -60,4 +60,7 @@ std::string name_of_stage(int stage);
 PreparedSample prepare_sample(Engine& engine, const SampleRecipe& recipe, const PreparationObserver& observe = {},
                               const PreparationState* from = nullptr);
 
+/// A hash of the sources of prepare_sample: equal versions prepare equal samples from equal recipes, on one engine.
+std::string preparation_version();
+
 }  // namespace flowslide

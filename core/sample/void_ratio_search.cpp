@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dem/source_hashes.hpp"
 #include "sample/failure.hpp"
 
 namespace flowslide {
@@ -66,5 +67,7 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
       nearest.void_ratio < target.void_ratio ? "A larger drag opens looser samples"
                                              : "A smaller drag opens denser samples"));
 }
+
+std::string search_version() { return source_hashes::search; }
 
 }  // namespace flowslide

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sample/recipe.hpp"
@@ -33,5 +34,8 @@ void validate(const VoidRatioTarget& target);
 /// Throws NumericalFailure if none fits; the message names the nearest one.
 std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioTarget& target,
                                      const std::function<double(const SampleRecipe&)>& prepare);
+
+/// A hash of the sources of search_void_ratio: equal versions find equal samples.
+std::string search_version();
 
 }  // namespace flowslide

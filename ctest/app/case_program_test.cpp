@@ -74,8 +74,7 @@ class Tiny : public Case {
     ran.push_back(point.name);
     provenance = run.provenance_now();
     if (point.name == failing) throw NumericalFailure("grain 7 is lost");
-    Result result{provenance, run.configuration, run.configuration_hash, {}, {}};
-    result.metrics = {{"size", size_, "m", "size"}, {"count", count_, "1", "count"}};
+    const Result result = run.result({}, {{"size", size_, "m", "size"}, {"count", count_, "1", "count"}});
     if (mpi_rank() == 0) write_result(run.output.file(point.name + ".h5"), result);
   }
   std::map<std::string, double> metrics(const fs::path& folder, const std::vector<std::string>& points) const override {
@@ -205,8 +204,10 @@ TEST_F(CaseProgramTest, RefusesAPointOfAnotherConfiguration) {
   run({"--point", "a"});
   const std::string before = content_of(out() / "a.h5");
   const std::string message = complaint({"--set", "count=4"});
-  EXPECT_CONTAINS(message, "the output folder " + out().string() + " holds the point \"a\" of another configuration");
-  EXPECT_CONTAINS(message, "which is not overwritten; choose another with --output");
+  EXPECT_CONTAINS(message,
+                  (out() / "a.h5").string() + " is the result of another run (count = 3 there, 4 now), and is ");
+  EXPECT_CONTAINS(message,
+                  "not overwritten; give the options that it was made with, begin the point anew with --afresh");
   EXPECT_EQ(content_of(out() / "a.h5"), before);
 }
 
@@ -252,14 +253,26 @@ TEST_F(CaseProgramTest, ChecksWithoutARun) {
 TEST_F(CaseProgramTest, JudgesNoResultsOfAnotherConfiguration) {
   run({});
   const std::string message = complaint({"--check", "--set", "count=4"});
-  EXPECT_CONTAINS(message, "the results of a in " + out().string() + " were made with the configuration ");
-  EXPECT_CONTAINS(message, "give --check the options they were made with");
+  EXPECT_CONTAINS(message,
+                  (out() / "a.h5").string() + " is the result of another run (count = 3 there, 4 now); give the");
+  // The figures draw all that is there: also what was not asked for.
+  fs::remove(out() / "a.h5");
+  run({"--point", "a", "--set", "count=4"});
+  EXPECT_CONTAINS(complaint({"--check", "--point", "a", "--set", "count=4"}), (out() / "b.h5").string());
 }
 
-TEST_F(CaseProgramTest, JudgesNoResultsOfUnknownConfiguration) {
+TEST_F(CaseProgramTest, JudgesNoResultOfAnotherPoint) {
   run({});
-  fs::remove(out() / ".flowslide" / "b.hash");
-  EXPECT_CONTAINS(complaint({"--check"}), "b.h5 is there without " + out().string() + "/.flowslide/b.hash");
+  fs::copy_file(out() / "a.h5", out() / "b.h5", fs::copy_options::overwrite_existing);
+  EXPECT_CONTAINS(complaint({"--check"}), "another run (point name = a there, b now)");
+}
+
+TEST_F(CaseProgramTest, ReplacesResultsOfAnotherRunOnlyWhenAsked) {
+  run({});
+  EXPECT_EQ(run({"--afresh"}).ran, Names{});  // of this run: nothing would be otherwise
+  EXPECT_EQ(run({"--afresh", "--set", "count=4"}).ran, (Names{"a", "b"}));
+  EXPECT_CONTAINS(read_result(out() / "a.h5").configuration, "count = 4\n");
+  EXPECT_CONTAINS(run({"--status"}).output, "outdated");
 }
 
 TEST_F(CaseProgramTest, ChecksTheClaimsOfTheFiguresOfAPoint) {

@@ -34,6 +34,13 @@ std::unique_ptr<Sample> sample_of(const std::string& name, const std::string& fr
   return read_closed_form_sample(configuration, name, slope);
 }
 
+TEST(ClosedFormSamples, HaveAVersionEach) {
+  EXPECT_NE(closed_form_version("elastic"), closed_form_version("critical_state"));
+  EXPECT_THROW(closed_form_version("native"), std::invalid_argument);
+  for (const std::string& name : closed_form_sample_names()) EXPECT_TRUE(is_closed_form(name));
+  EXPECT_FALSE(is_closed_form("native"));
+}
+
 TEST(ReadClosedFormSample, IsInBalanceWithTheSlope) {
   for (const std::string& name : closed_form_sample_names()) {
     const auto sample = sample_of(name);

@@ -135,6 +135,14 @@ TEST_F(LayeredConfiguration, ChecksTheSpellingOfScalesThatWereNotChosen) {
                   "user.toml:2:1: unknown table \"smaple\"");
 }
 
+TEST(Configuration, MayHaveOneMoreLayerThatLeavesItAsItWas) {
+  const Configuration configuration = Configuration::from_text("[a]\nb = 1\nc = 2\n");
+  const Configuration overlaid = configuration.overlaid("[a]\nb = 3\n", "trial");
+  EXPECT_EQ(overlaid.integer("a.b"), 3);
+  EXPECT_EQ(overlaid.integer("a.c"), 2);
+  EXPECT_EQ(configuration.integer("a.b"), 1);
+}
+
 TEST(Configuration, GivesSubtablesInTheOrderOfTheFile) {
   const auto c = Configuration::from_text("[p.z]\n[p.a]\nx = 1\n[[q]]\ny = 1\n[[q]]\ny = 2\n");
   EXPECT_EQ(c.subtables("p"), (std::vector<std::string>{"z", "a"}));

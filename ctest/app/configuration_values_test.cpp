@@ -74,6 +74,23 @@ TEST(ConfigurationValues, RefuseListsTablesAndDatesInPlaceOfAValue) {
   EXPECT_CONTAINS(complaint([] { sample().numbers("nested"); }), "nested = [1, 2] is a date, a list or a table");
 }
 
+TEST(ConfigurationValues, AreChosenByTheirNames) {
+  const auto choose = [](const std::string& name) {
+    return sample().choice<int>("engine", {{"liggghts", 1}, {name, 2}});
+  };
+  EXPECT_EQ(choose("native"), 2);
+  EXPECT_CONTAINS(complaint([&] { choose("mixed"); }), "it must be \"liggghts\" or \"mixed\"");
+}
+
+TEST(ConfigurationValues, PathsStandBesideTheFileThatNamesThem) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.toml", "file = \"a.txt\"\nabsolute = \"/b/c.txt\"\n");
+  EXPECT_EQ(Configuration(Layers{file, "", {}, {}}).path("file"), folder.path() / "a.txt");
+  EXPECT_EQ(Configuration(Layers{file, "", {}, {}}).path("absolute"), "/b/c.txt");
+  EXPECT_EQ(Configuration(Layers{file, "", {}, {{"file", "a.txt", "--set file=a.txt"}}}).path("file"), "a.txt");
+  EXPECT_EQ(Configuration::from_text("file = \"a.txt\"", "case.toml").path("file"), "a.txt");
+}
+
 TEST(ConfigurationValues, RefuseAMissingKeyWithEachGetter) {
   EXPECT_CONTAINS(complaint([] { sample().quantity("x", dimension::time, Range::positive()); }), "a time, above 0 s");
   EXPECT_CONTAINS(complaint([] { sample().integer("x", Range::at_least(3)); }), "an integer, at least 3");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/error.hpp"
+#include "app/loading_table.hpp"
 #include "app/models.hpp"
 #include "grains/measures.hpp"
 #include "messages.hpp"
@@ -65,7 +66,7 @@ std::string coupling_complaint(const std::string& from, const std::string& to) {
 }
 
 StressHistory loading_of(const std::string& table) {
-  return read_loading(Configuration::from_text("[loading]\n" + table, "case.toml"), "loading", "");
+  return read_loading(Configuration::from_text("[loading]\n" + table, "case.toml"), "loading");
 }
 std::string loading_complaint(const std::string& table) {
   return message_of<ConfigurationError>([&] { loading_of(table); });
@@ -88,12 +89,21 @@ TEST(ReadLoading, TakesEveryHistory) {
             5.0);
 }
 
-TEST(ReadLoading, TakesATableFromItsFolder) {
+TEST(ReadLoading, TakesATableBesideTheFileThatNamesIt) {
   const ScratchFolder folder;
   folder.write("quake.txt", "0 0\n1 500\n");
-  const auto configuration = Configuration::from_text("[x.loading]\nhistory = \"table\"\nfile = \"quake.txt\"\n");
-  const auto table = std::get<StressTable>(read_loading(configuration, "x.loading", folder.path()));
-  EXPECT_EQ(table.change.back(), 500.0);
+  const auto configuration = Configuration::from_text("[x.loading]\nhistory = \"table\"\nfile = \"quake.txt\"\n",
+                                                      (folder.path() / "mine.toml").string());
+  const StressHistory loading = read_loading(configuration, "x.loading");
+  EXPECT_EQ(std::get<StressTable>(loading).change.back(), 500.0);
+  const std::vector<InputTable> inputs = loading_inputs(configuration, "x.loading", loading);
+  EXPECT_EQ(stress_table(inputs.at(0)).time, (std::vector{0.0, 1.0}));
+  EXPECT_EQ(inputs.at(0).file, "quake.txt");
+}
+
+TEST(ReadLoading, HasNoInputFileWithoutATable) {
+  const auto configuration = Configuration::from_text("[loading]\nhistory = \"constant\"\nchange = \"6 kPa\"\n");
+  EXPECT_TRUE(loading_inputs(configuration, "loading", read_loading(configuration, "loading")).empty());
 }
 
 TEST(ReadLoading, RefusesWhatIsNoLoading) {
@@ -172,7 +182,7 @@ TEST(ReadCoupling, LeavesNoKeyUnknown) {
   for (const char* rate : {"global", "constant", "constant_inertial_number", "at_least_quasi_static"}) {
     const Configuration configuration = with("\"constant_inertial_number\"", std::string("\"") + rate + '"');
     coupling_of(configuration);
-    read_loading(configuration, "loading", "");
+    read_loading(configuration, "loading");
     read_stop(configuration, "stop");
     read_row_spacing(configuration, "rows");
     EXPECT_NO_THROW(configuration.reject_unknown()) << rate;

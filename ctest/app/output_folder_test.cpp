@@ -81,25 +81,37 @@ TEST(OutputFolder, IsOnlyReadForCheck) {
   EXPECT_CONTAINS(message(scratch.path(), "fig08"), "holds results of the case \"fig03\"");
 }
 
-TEST(OutputFolder, RefusesAPointOfAnotherConfiguration) {
+TEST(OutputFolder, NotesTheIdentityOfAPoint) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path(), "fig03");
-  EXPECT_EQ(folder.hash_of("loose"), "");
-  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", "mu = 1\n"); });
-  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", "mu = 1\n"); });
-  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("dense", "def", "mu = 2\n"); });
-  EXPECT_EQ(folder.hash_of("loose"), "abc");
-  EXPECT_CONTAINS(
-      message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "xyz", "mu = 3\n"); }),
-      "holds the point \"loose\" of another configuration (hash abc, now xyz: mu = 1 there, 3 now)");
-  EXPECT_EQ(OutputFolder::open(scratch.path(), "fig03").hash_of("loose"), "abc");
+  EXPECT_EQ(folder.noted("loose"), "");
+  folder.note("loose", "mu = 1\n");
+  folder.note("dense", "mu = 2\n");
+  EXPECT_EQ(OutputFolder::open(scratch.path(), "fig03").noted("loose"), "mu = 1\n");
+}
+
+TEST(OutputFolder, RemovesAllFilesOfAPointAndNoOther) {
+  const ScratchFolder scratch;
+  const auto folder = OutputFolder::open(scratch.path(), "fig03");
+  folder.note("e0_0", "mu = 1\n");
+  fs::create_directory(folder.file("e0_0_frames"));
+  for (const char* name : {"e0_0.h5", "e0_0.dat", "e0_0_profiles.dat", "e0_0_details.dat", "e0_0.md", "e0_0.pvd",
+                           "e0_0_frames/grains_0.vtp", ".flowslide/e0_0.checkpoint_1.h5"})
+    scratch.write(name, "text");
+  const auto others = {"e0_0.5.h5", "e0_0_r2.h5", "e0_0_over_time.dat", ".flowslide/e0_0.5.checkpoint_1.h5"};
+  for (const char* name : others) scratch.write(name, "text");
+  folder.remove_point("e0_0");
+  for (const char* name : others) EXPECT_TRUE(fs::exists(folder.file(name))) << name;
+  EXPECT_EQ(folder.noted("e0_0"), "");
+  EXPECT_EQ(count_of(scratch.path()), 4U);                 // three of the others, and the mark
+  EXPECT_EQ(count_of(scratch.path() / ".flowslide"), 2U);  // the last of them, and the case
 }
 
 TEST(OutputFolder, RefusesPointNamesThatLeaveTheFolder) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path() / "a", "fig03");
   for (const std::string name : {"", "../../x", "a/b", "a b"})
-    EXPECT_THROW({ const FileLock lock = folder.begin_point(name, "abc", ""); }, std::invalid_argument) << name;
+    EXPECT_THROW({ const FileLock lock = folder.lock_point(name); }, std::invalid_argument) << name;
   EXPECT_FALSE(fs::exists(scratch.path() / "x.hash"));
 }
 
@@ -107,13 +119,12 @@ TEST(OutputFolder, LetsOneProcessRunAPoint) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path(), "fig03");
   {
-    const FileLock held = folder.begin_point("loose", "abc", "");
-    EXPECT_CONTAINS(
-        message_of<ConfigurationError>([&] { const FileLock lock = folder.begin_point("loose", "abc", ""); }),
+    const FileLock held = folder.lock_point("loose");
+    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { const FileLock lock = folder.lock_point("loose"); }),
                     "is in use: another process runs the point \"loose\" there");
-    EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("dense", "abc", ""); });
+    EXPECT_NO_THROW({ const FileLock lock = folder.lock_point("dense"); });
   }
-  EXPECT_NO_THROW({ const FileLock lock = folder.begin_point("loose", "abc", ""); });
+  EXPECT_NO_THROW({ const FileLock lock = folder.lock_point("loose"); });
 }
 
 TEST(OutputFolder, RemovesWhatAKilledProcessLeftOfThatPoint) {
@@ -122,7 +133,7 @@ TEST(OutputFolder, RemovesWhatAKilledProcessLeftOfThatPoint) {
   for (const char* name : {".loose.h5.12.0.partial", ".loose_profiles.dat.12.0.partial", ".loose_r2.h5.12.0.partial",
                            ".flowslide/.loose.checkpoint_0.h5.12.0.partial"})
     scratch.write(name, "half");
-  const FileLock lock = folder.begin_point("loose", "abc", "");
+  const FileLock lock = folder.lock_point("loose");
   EXPECT_FALSE(fs::exists(folder.file(".loose.h5.12.0.partial")));
   EXPECT_FALSE(fs::exists(folder.file(".loose_profiles.dat.12.0.partial")));
   EXPECT_FALSE(fs::exists(folder.file(".flowslide/.loose.checkpoint_0.h5.12.0.partial")));

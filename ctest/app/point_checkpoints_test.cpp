@@ -14,12 +14,15 @@ namespace {
 
 class PointCheckpointsTest : public testing::Test {
  protected:
-  PointCheckpointsTest() { store_.put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint_); }); }
-  PointCheckpoints open(const std::string& configuration) {
+  PointCheckpointsTest() {
+    identity_.stamp(checkpoint_.so_far);
+    store_.put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint_); });
+  }
+  PointCheckpoints open(const RunIdentity& identity) {
     testing::internal::CaptureStderr();
     std::optional<PointCheckpoints> made;
     try {
-      made.emplace(CheckpointStore(scratch_.path(), "RD"), control_, configuration);
+      made.emplace(CheckpointStore(scratch_.path(), "RD"), control_, identity);
     } catch (...) {
       said_ = testing::internal::GetCapturedStderr();
       throw;
@@ -27,35 +30,30 @@ class PointCheckpointsTest : public testing::Test {
     said_ = testing::internal::GetCapturedStderr();
     return *std::move(made);
   }
+  static RunIdentity of(const std::string& configuration) { return {"fig12_pulse", "RD", {}, configuration}; }
+
   ScratchFolder scratch_;
   Checkpoint checkpoint_ = example_checkpoint();
+  const RunIdentity identity_ = of(checkpoint_.so_far.configuration);
   CheckpointStore store_{scratch_.path(), "RD"};
   RunControl control_{{.checkpoint_interval = 0.0}};
   std::string said_;
 };
 
 TEST_F(PointCheckpointsTest, FindsWhatThereIsAndSaysSo) {
-  const PointCheckpoints checkpoints = open(checkpoint_.so_far.configuration);
+  const PointCheckpoints checkpoints = open(identity_);
   ASSERT_TRUE(checkpoints.found());
   EXPECT_EQ(checkpoints.found()->share_done, checkpoint_.share_done);
   EXPECT_CONTAINS(said_, "goes on from its checkpoint at t = 0.3031 s, v = ");
   store_.remove();
-  EXPECT_FALSE(open("anything").found());
+  EXPECT_FALSE(open(of("anything")).found());
   EXPECT_EQ(said_, "");
 }
 
-TEST_F(PointCheckpointsTest, RefusesThatOfAnotherConfigurationWithTheDifference) {
-  const std::string message = message_of<ConfigurationError>([&] { open("[sample]\nseed = 8\n"); });
-  EXPECT_CONTAINS(message, "is of another configuration (seed = 7 there, 8 now)");
+TEST_F(PointCheckpointsTest, RefusesThatOfAnotherRunWithTheDifference) {
+  const std::string message = message_of<ConfigurationError>([&] { open(of("[sample]\nseed = 8\n")); });
+  EXPECT_CONTAINS(message, "is of another run (seed = 7 there, 8 now)");
   EXPECT_CONTAINS(message, "--afresh");
-}
-
-TEST_F(PointCheckpointsTest, RefusesThatOfAnotherEngine) {
-  const PointCheckpoints checkpoints = open(checkpoint_.so_far.configuration);
-  EXPECT_NO_THROW(checkpoints.check_engine("liggghts", "3.8.0"));
-  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { checkpoints.check_engine("liggghts", "4.0.0"); }),
-                  "was made by the engine liggghts 3.8.0, and this is liggghts 4.0.0");
-  EXPECT_THROW(checkpoints.check_engine("native", "3.8.0"), ConfigurationError);
 }
 
 TEST_F(PointCheckpointsTest, UsesTheOneBeforeADamagedOneWithAWord) {
@@ -65,15 +63,15 @@ TEST_F(PointCheckpointsTest, UsesTheOneBeforeADamagedOneWithAWord) {
     write_checkpoint(root, later);
   });
   overwrite(store_.path(0), read_file(store_.path(0)).substr(0, 5000));
-  EXPECT_EQ(open(checkpoint_.so_far.configuration).found()->share_done, 0.375);
+  EXPECT_EQ(open(identity_).found()->share_done, 0.375);
   EXPECT_CONTAINS(said_, store_.path(0).string() + " is truncated");
   EXPECT_CONTAINS(said_, "the one before is looked for");
   overwrite(store_.path(1), "");
-  EXPECT_CONTAINS(message_of<CorruptFileError>([&] { open(checkpoint_.so_far.configuration); }), "--afresh");
+  EXPECT_CONTAINS(message_of<CorruptFileError>([&] { open(identity_); }), "--afresh");
 }
 
 TEST_F(PointCheckpointsTest, KeepsAndStops) {
-  PointCheckpoints checkpoints = open(checkpoint_.so_far.configuration);
+  PointCheckpoints checkpoints = open(identity_);
   int asked = 0;
   const auto now = [&] {
     ++asked;
@@ -83,14 +81,14 @@ TEST_F(PointCheckpointsTest, KeepsAndStops) {
   };
   checkpoints.border(now);  // an interval of 0: at every border
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(open(checkpoint_.so_far.configuration).found()->share_done, 0.6);
+  EXPECT_EQ(open(identity_).found()->share_done, 0.6);
   ::raise(SIGTERM);
   EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.border(now); }), "the same command goes on from t = ");
-  EXPECT_EQ(open(checkpoint_.so_far.configuration).found()->share_done, 0.7);
+  EXPECT_EQ(open(identity_).found()->share_done, 0.7);
 }
 
 TEST_F(PointCheckpointsTest, GoesOnWithoutACheckpointWhenTheDiskIsFull) {
-  PointCheckpoints checkpoints = open(checkpoint_.so_far.configuration);
+  PointCheckpoints checkpoints = open(identity_);
   {
     const FullDisk full(1000);
     testing::internal::CaptureStderr();
@@ -100,7 +98,7 @@ TEST_F(PointCheckpointsTest, GoesOnWithoutACheckpointWhenTheDiskIsFull) {
     EXPECT_CONTAINS(message_of<FileError>([&] { checkpoints.border([&] { return checkpoint_; }); }),
                     "the checkpoint before is as it was");
   }
-  EXPECT_TRUE(open(checkpoint_.so_far.configuration).found());
+  EXPECT_TRUE(open(identity_).found());
 }
 
 }  // namespace

@@ -8,10 +8,12 @@
 #include <set>
 
 #include "app/error.hpp"
+#include "app/run_identity.hpp"
 #include "elastic_block.hpp"
 #include "messages.hpp"
 #include "record/sample_store.hpp"
 #include "sample/failure.hpp"
+#include "support/perturb.hpp"
 
 namespace flowslide {
 namespace {
@@ -65,7 +67,7 @@ TEST_F(SampleCache, PreparesASampleAndKeepsIt) {
   EXPECT_NEAR(found.sample.stress.normal, 28340.0, 4e-3 * 28340.0);  // four stress tolerances: what rest() allows
   EXPECT_EQ(found.sample.steps, engine.steps());
   ASSERT_EQ(files().size(), 1U);
-  EXPECT_EQ(files()[0].stem(), cache_key(easy.recipe, "block 1"));
+  EXPECT_EQ(files()[0].stem(), cache_key(easy.recipe, preparation_identity("block", "1")));
 }
 
 TEST_F(SampleCache, SaysOnceWhereItIsWhenItIsNew) {
@@ -236,7 +238,7 @@ TEST_F(SampleCache, NeverUsesADamagedSample) {
 }
 
 TEST_F(SampleCache, NamesTheFileOfAnotherVersion) {
-  const std::string key = cache_key(easy.recipe, "block 1");
+  const std::string key = cache_key(easy.recipe, preparation_identity("block", "1"));
   Assembly assembly;
   assembly.resize(1);
   SampleStore(folder()).put(key, {"recipe", assembly, {{"void_ratio", 0.75, "1", "void ratio"}}});
@@ -276,41 +278,12 @@ TEST(CacheKey, IsOfThirtyTwoHexadecimalDigits) {
   EXPECT_EQ(cache_key(easy.recipe, "block 1"), key);
 }
 
-TEST(CacheKey, DiffersByTheEngineAndByEveryPartOfTheRecipe) {
+TEST(CacheKey, DiffersByThePreparationAndByEveryPartOfTheRecipe) {
   std::set<std::string> keys{cache_key({}, "a"), cache_key({}, "b"), cache_key({}, "a 1")};
   ASSERT_EQ(keys.size(), 3U);
-  const std::function<void(SampleRecipe&)> changes[] = {
-      [](SampleRecipe& r) { r.packing.counts[2] = 23; },
-      [](SampleRecipe& r) { r.packing.smallest_diameter = 4.9e-3; },
-      [](SampleRecipe& r) { r.packing.largest_diameter = 7.6e-3; },
-      [](SampleRecipe& r) { r.packing.spacing = 1.2; },
-      [](SampleRecipe& r) { r.packing.jitter = 0.03; },
-      [](SampleRecipe& r) { r.packing.seed = 2; },
-      [](SampleRecipe& r) { r.material.density = 2651.0; },
-      [](SampleRecipe& r) { r.material.youngs_modulus = 3e9; },
-      [](SampleRecipe& r) { r.material.poisson_ratio = 0.26; },
-      [](SampleRecipe& r) { r.material.restitution = 0.7; },
-      [](SampleRecipe& r) { r.material.sliding_friction = 0.51; },
-      [](SampleRecipe& r) { r.material.rolling_friction = 0.2; },
-      [](SampleRecipe& r) { r.material.rolling_stiffness = 2.0; },
-      [](SampleRecipe& r) { r.material.rolling_viscous_damping = 0.3; },
-      [](SampleRecipe& r) { r.normal_stress = std::nextafter(r.normal_stress, 0.0); },
-      [](SampleRecipe& r) { r.shear_stress = 0.0; },
-      [](SampleRecipe& r) { r.preparation_friction = 0.31; },
-      [](SampleRecipe& r) { r.drag = 0.031; },
-      [](SampleRecipe& r) { r.time_step = 9e-6; },
-      [](SampleRecipe& r) { r.loose_void_ratio = 1.3; },
-      [](SampleRecipe& r) { r.compaction_rate = 2.0; },
-      [](SampleRecipe& r) { r.servo_rates[1] = 0.11; },
-      [](SampleRecipe& r) { r.servo_interval = 31; },
-      [](SampleRecipe& r) { r.stress_tolerance = 2e-3; },
-      [](SampleRecipe& r) { r.kinetic_tolerance = 2e-8; },
-  };
-  for (const auto& change : changes) {
-    SampleRecipe recipe;
-    change(recipe);
-    EXPECT_TRUE(keys.insert(cache_key(recipe, "a")).second) << recipe.text();
-  }
+  for_each_perturbation(SampleRecipe{}, [&](const std::string& name, const auto& field, const SampleRecipe& changed) {
+    EXPECT_EQ(keys.insert(cache_key(changed, "a")).second, field.effect == Effect::on_result) << name;
+  });
 }
 
 TEST(SampleCacheFolder, IsToldByTheEnvironment) {

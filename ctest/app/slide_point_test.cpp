@@ -13,7 +13,7 @@ SlidePoint read(const std::string& text, const std::string& name, int replicate 
   const auto configuration = Configuration::from_text(text);
   const SlopeProperties slope = read_slope(configuration);
   const auto samples = read_samples(configuration, slope, replicate);
-  return read_slide_point(configuration, name, replicate, samples, slope, engine, "/nowhere");
+  return read_slide_point(configuration, name, replicate, samples, slope, engine);
 }
 
 TEST(SlidePoint, TakesItsSchemeOverTheCouplingOfAll) {
@@ -113,6 +113,34 @@ rows = 50
   EXPECT_EQ(point.point.name, "alone_r2");
   EXPECT_GT(point.point.predicted_seconds, 0.0);
   EXPECT_FALSE(read(slide_case_text(), "RD").test);
+}
+
+TEST(SlidePoint, TakesRatesFromTheMeanDiameterOfItsSample) {
+  const SlidePoint planned = read(slide_case_text(), "RI");
+  const auto grains = [](const SlidePoint& point) {
+    return std::get<ConstantInertialNumber>(point.settings.rate).grains.mean_diameter;
+  };
+  const SlidePoint found = on_sample(planned, 5.5e-3);
+  EXPECT_EQ(found.grains.mean_diameter, 5.5e-3);
+  EXPECT_EQ(grains(found), 5.5e-3);
+  EXPECT_EQ(grains(planned), planned.grains.mean_diameter);
+  EXPECT_NE(planned.grains.mean_diameter, 5.5e-3);
+  const SlidePoint test = read(slide_case_text() +
+                                   "[point.alone]\nfigures = \"6\"\nsample = \"loose\"\n"
+                                   "inertial_number = 1e-2\nfinal_strain = 0.05\n[element_test]\nrows = 50\n",
+                               "alone");
+  const double ratio = on_sample(test, 0.5 * test.grains.mean_diameter).test->shear_rate / test.test->shear_rate;
+  EXPECT_NEAR(ratio, 2.0, 1e-14);  // at a given I the rate falls with the diameter
+}
+
+TEST(SlidePoint, KnowsWhatElseDecidesItsResult) {
+  EXPECT_EQ(read(slide_case_text(), "RD", 0, "elastic").point.inputs.engine, "elastic");
+  EXPECT_TRUE(read(slide_case_text(), "RD").point.inputs.tables.empty());
+  const ScratchFolder folder;
+  const auto file = folder.write("quake.txt", "0 0\n1 500\n");
+  const auto own = "[point.own]\nlike = \"RD\"\nloading = {history = \"table\", file = \"" + file.string() + "\"}\n";
+  EXPECT_EQ(read(slide_case_text() + own, "own").point.inputs.tables.at(0).rows.rows(), 2U);
+  EXPECT_TRUE(read(slide_case_text() + own, "RD").point.inputs.tables.empty());
 }
 
 TEST(SlidePoint, MayStartLinear) {

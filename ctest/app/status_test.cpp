@@ -16,30 +16,38 @@ namespace {
 class StatusTest : public testing::Test {
  protected:
   StatusTest() {
-    const FileLock lock = output_.begin_point("RD", "abc123", "seed = 7\n");
+    output_.note("RD", identity_.text());
+    const FileLock lock = output_.lock_point("RD");
   }
   void keep() {
-    output_.checkpoints("RD").put([](hdf5::Group& root) { write_checkpoint(root, example_checkpoint()); });
+    Checkpoint checkpoint = example_checkpoint();
+    identity_.stamp(checkpoint.so_far);
+    output_.checkpoints("RD").put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint); });
   }
+  PointStatus status_of(const std::string& point) const { return flowslide::status_of(output_, point, identity_); }
+  PointStatus status_of_another_run() const {
+    return flowslide::status_of(output_, "RD", {"fig12", "RD", {}, "seed = 8\n"});
+  }
+  const RunIdentity identity_{"fig12", "RD", {}, "seed = 7\n"};
   ScratchFolder scratch_;
   OutputFolder output_ = OutputFolder::open(scratch_.path() / "out", "fig12");
 };
 
 TEST_F(StatusTest, TellsWhatIsBegunAndWhatIsNot) {
-  EXPECT_EQ(status_of(output_, "RI").state, "not begun");
-  EXPECT_EQ(status_of(output_, "RD").state, "begun");
-  EXPECT_EQ(status_of(output_, "RD").place, "");
+  EXPECT_EQ(status_of("RI").state, "not begun");
+  EXPECT_EQ(status_of("RD").state, "begun");
+  EXPECT_EQ(status_of("RD").place, "");
 }
 
 TEST_F(StatusTest, TellsWhereAStoppedRunStands) {
   keep();
-  const PointStatus status = status_of(output_, "RD");
+  const PointStatus status = status_of("RD");
   EXPECT_EQ(status.state, "stopped");
   EXPECT_EQ(status.share_done, 0.375);
   EXPECT_CONTAINS(status.place, "t = 0.3031 s, v = ");
   EXPECT_LT(status.age, 60.0);
   for (const int place : {0, 1}) overwrite(output_.checkpoints("RD").path(place), "x");
-  EXPECT_EQ(status_of(output_, "RD").place, "its checkpoints are damaged");
+  EXPECT_EQ(status_of("RD").place, "its checkpoints are damaged");
 }
 
 TEST_F(StatusTest, TellsWhatRuns) {
@@ -55,20 +63,34 @@ TEST_F(StatusTest, TellsWhatRuns) {
   }
   char byte = 0;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-  EXPECT_EQ(status_of(output_, "RD").state, "running");
+  EXPECT_EQ(status_of("RD").state, "running");
   ASSERT_EQ(::write(over[1], &byte, 1), 1);
   ::waitpid(other, nullptr, 0);
-  EXPECT_EQ(status_of(output_, "RD").state, "begun");
+  EXPECT_EQ(status_of("RD").state, "begun");
 }
 
 TEST_F(StatusTest, TellsWhatIsComplete) {
   Result result = example_result();
+  identity_.stamp(result);
   write_result(output_.file("RD.h5"), result);
-  EXPECT_EQ(status_of(output_, "RD").state, "complete");
-  EXPECT_EQ(status_of(output_, "RD").share_done, 1.0);
-  EXPECT_EQ(status_of(output_, "RD").sample, "");  // a result without one
+  EXPECT_EQ(status_of("RD").state, "complete");
+  EXPECT_EQ(status_of("RD").share_done, 1.0);
+  EXPECT_EQ(status_of("RD").sample, "");  // a result without one
   overwrite(output_.file("RD.h5"), "torn");
-  EXPECT_EQ(status_of(output_, "RD").state, "damaged");
+  EXPECT_EQ(status_of("RD").state, "damaged");
+}
+
+TEST_F(StatusTest, TellsWhatIsOfAnotherRun) {
+  EXPECT_EQ(status_of_another_run().state, "not begun");
+  keep();
+  EXPECT_EQ(status_of_another_run().state, "outdated");
+  EXPECT_EQ(status_of_another_run().place, "seed = 7 there, 8 now");
+  Result result = example_result();
+  identity_.stamp(result);
+  write_result(output_.file("RD.h5"), result);
+  EXPECT_EQ(status_of_another_run().state, "outdated");
+  EXPECT_EQ(status_of_another_run().share_done, 0.0);
+  EXPECT_EQ(status_of_another_run().place, "seed = 7 there, 8 now");
 }
 
 TEST_F(StatusTest, TellsTheHealthOfTheSample) {
@@ -76,8 +98,9 @@ TEST_F(StatusTest, TellsTheHealthOfTheSample) {
   result.metrics = {{"initial_void_ratio", 0.7823, "1", ""},
                     {"initial_bulk_void_ratio", 0.767, "1", ""},
                     {"mechanical_coordination_number", 4.6, "1", ""}};
+  identity_.stamp(result);
   write_result(output_.file("RD.h5"), result);
-  EXPECT_CONTAINS(status_of(output_, "RD").sample, "e0 0.7823 (inner 0.7670)");
+  EXPECT_CONTAINS(status_of("RD").sample, "e0 0.7823 (inner 0.7670)");
 }
 
 TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {

@@ -67,5 +67,16 @@ TEST(RateRule, RefusesValuesOutOfRange) {
   EXPECT_THROW(validate(RateRule{GlobalRateAtLeastQuasiStatic{std::nan(""), {}}}), std::invalid_argument);
 }
 
+TEST(RateRule, KeepsItsInertialNumberForOtherGrains) {
+  const GrainScale grains{3e-3, 2000.0};
+  const auto rate = [&](const RateRule& rule) { return rate_asked(for_grains(rule, grains, 28e3), 1e-9, 28e3, 1.0); };
+  const double expected = shear_rate_for(1e-4, 3e-3, 2000.0, 28e3);
+  EXPECT_EQ(rate(ConstantStrainRate{0.06, 1e-4}), expected);
+  EXPECT_EQ(rate(ConstantInertialNumber{1e-4, 0.0, {6e-3, 2650.0}}), expected);
+  EXPECT_EQ(rate(GlobalRateAtLeastQuasiStatic{1e-4, {6e-3, 2650.0}}), expected);
+  EXPECT_EQ(rate(ConstantStrainRate{0.06}), 0.06);  // chosen as such
+  EXPECT_EQ(rate(GlobalRate{}), 1e-9);
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace flowslide {
 namespace {
 
@@ -12,6 +14,14 @@ TEST(MakeEngine, MakesEveryEngineItNames) {
     EXPECT_EQ(engine->name(), name);
     EXPECT_FALSE(engine->version().empty());
   }
+}
+
+TEST(MakeEngine, VersionsNameTheSourcesAndThePrecision) {
+  const auto version = [](const std::string& name) { return make_engine(name, "/dev/null")->version(); };
+  for (const std::string& name : engine_names())  // 16 digits of a hash
+    EXPECT_TRUE(std::regex_search(version(name), std::regex("[0-9a-f]{16}"))) << version(name);
+  EXPECT_NE(version("native"), version("native-mixed"));
+  EXPECT_NE(version("native"), version("liggghts"));
 }
 
 TEST(MakeEngine, RefusesAnUnknownEngineAndSaysWhichThereAre) {

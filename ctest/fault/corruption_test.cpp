@@ -3,6 +3,7 @@
 #include <random>
 
 #include "app/example_checkpoint.hpp"
+#include "app/run_identity.hpp"
 #include "record/checkpoint_store.hpp"
 #include "record/damage.hpp"
 #include "record/sample_store.hpp"
@@ -69,11 +70,8 @@ TEST(Corruption, OfAResult) {
   const ScratchFolder scratch;
   const auto path = scratch.path() / "RD.h5";
   write_result(path, example_result());
-  expect_each_found(path, [&] {
-    EXPECT_EQ(is_complete(path, example_result().configuration_hash),
-              [&] { try { read_result(path); return true; } catch (const CorruptFileError&) { return false; } }());
-    return is_complete(path, example_result().configuration_hash);
-  });
+  expect_each_found(path,
+                    [&] { return find_result(path, RunIdentity(example_result())).standing == Standing::complete; });
 }
 
 /// Through whole programs: a damaged result is neither drawn nor judged, a damaged sample not sheared.
@@ -90,7 +88,7 @@ TEST_F(CorruptionProgram, RefusesWhatIsDamaged) {
     EXPECT_EQ(run("out", {"--point", "RI", "--check"}), 2) << said_;
     EXPECT_CONTAINS(said_, "delete it and run that point again");
     EXPECT_EQ(run("out", options), 2) << said_;
-    EXPECT_CONTAINS(said_, "is damaged or of another configuration");
+    EXPECT_CONTAINS(said_, "or begin it anew with --afresh");
   }
 }
 

@@ -46,6 +46,12 @@ inline Result example_result() {
   result.series = example_series();
   result.metrics = {{"peak_shear_stress", 1234.5, "Pa", "peak of the shear stress"},
                     {"strain_at_peak", 0.015, "1", "shear strain at the peak"}};
+  result.identity = "point name = e0=0.790\n";
+  InputTable loading{"loading", "quake.txt", {}};
+  loading.rows.axis.values = {0.0, 1.0};
+  loading.rows.columns = {
+      {"stress_change", "Delta tau_d", "Pa", "change of the driving shear stress", "", {0.0, 500.0}}};
+  result.inputs = {loading};
   return result;
 }
 

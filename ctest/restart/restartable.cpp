@@ -10,8 +10,7 @@ namespace {
 
 class Restartable : public SlideCase {
  public:
-  explicit Restartable(const std::filesystem::path& folder)
-      : SlideCase({"restartable", "Slides to be stopped", "1", {"Fig. 12"}, {}}, folder) {}
+  Restartable() : SlideCase({"restartable", "Slides to be stopped", "1", {"Fig. 12"}, {}}) {}
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override {
@@ -30,6 +29,6 @@ class Restartable : public SlideCase {
 int main(int argc, char** argv) {
   const char* folder = std::getenv("RESTARTABLE_CASE");
   if (folder == nullptr) return 2;
-  flowslide::Restartable the_case(folder);
+  flowslide::Restartable the_case;
   return flowslide::run_case(the_case, argc, argv, folder);
 }

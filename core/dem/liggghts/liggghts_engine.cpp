@@ -25,6 +25,7 @@
 #include "dem/liggghts/commands.hpp"
 #include "dem/liggghts/pair_histories.hpp"
 #include "dem/liggghts/steering_fix.hpp"
+#include "dem/source_hashes.hpp"
 
 namespace flowslide {
 namespace {
@@ -246,6 +247,8 @@ Assembly LiggghtsEngine::save() const {
   return assembly;
 }
 
-std::string LiggghtsEngine::version() const { return FLOWSLIDE_LIGGGHTS_VERSION; }
+std::string LiggghtsEngine::version() const {
+  return fmt::format("{} (adapter {})", FLOWSLIDE_LIGGGHTS_VERSION, source_hashes::liggghts);
+}
 
 }  // namespace flowslide

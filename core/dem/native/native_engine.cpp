@@ -8,6 +8,7 @@
 #include <thread>
 #include <type_traits>
 
+#include "dem/source_hashes.hpp"
 #include "dem/stress_sums.hpp"
 #include "grains/contact_forces.hpp"
 #include "grains/contact_law.hpp"
@@ -358,7 +359,8 @@ std::string NativeEngine<Real>::name() const {
 
 template <typename Real>
 std::string NativeEngine<Real>::version() const {
-  return fmt::format("{} ({})", FLOWSLIDE_VERSION, native::bits_in_double);
+  return fmt::format("{} ({}, law in {})", FLOWSLIDE_VERSION, source_hashes::native,
+                     std::is_same_v<Real, float> ? "float" : "double");
 }
 
 template class NativeEngine<double>;

@@ -8,9 +8,6 @@
 
 namespace flowslide::native {
 
-/// Stands for the bits of this version: the hash of a state after 1000 steps that determinism_test finds. Prepared samples are kept under it, so that a change of the bits prepares them anew.
-inline constexpr const char* bits_in_double = "10f7bf0e497ba73c";
-
 /// The loops over pairs and grains, compiled for one instruction set. All sets give the same bits.
 template <typename Real>
 struct Passes {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/messages.hpp"
+#include "app/run_identity.hpp"
 #include "app/sample_cache.hpp"
 #include "dem/make_engine.hpp"
 #include "record/result_file.hpp"
@@ -96,7 +97,7 @@ TEST_F(UndrainedProgram, PlansWithTheKeyThatTheCacheUses) {
   const Configuration configuration({setting, "quick", {}, {}});
   const auto samples = read_samples(configuration, read_slope(configuration), 0);
   const auto engine = make_engine("native", "/dev/null");
-  const std::string key = cache_key(samples.at(0).recipe, engine->name() + " " + engine->version());
+  const std::string key = cache_key(samples.at(0).recipe, preparation_identity(engine->name(), engine->version()));
   EXPECT_CONTAINS(run({"--dry-run", "--point", "e0_790"}).output, "first trial in the cache: " + key + "\n");
 }
 
