@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "grains/cap.hpp"
 #include "grains/vector.hpp"
 
 namespace flowslide {
@@ -40,6 +41,9 @@ struct ContactHistory {
   std::uint32_t first = 0, second = 0;        ///< indices into the assembly
   Vector3 tangential_spring = Vector3::Zero();  ///< m
   Vector3 rolling_torque = Vector3::Zero();     ///< N m
+  /// Of the spring and of the torque. Files do not keep them, and no engine reads them: they are for who evaluates the
+  /// forces once more.
+  Cap spring_cap = Cap::unknown, torque_cap = Cap::unknown;
 };
 
 /// Everything that determines how the grains go on: the state of a DEM run at the end of a step.

@@ -54,7 +54,8 @@ Contact evaluate_pair(const Assembly& assembly, const Material& material, const 
   contact.point_from_second = (assembly.radius[j] - 0.5 * contact.overlap) * motion.normal;
   const ContactHistory history = history_of(assembly, pair);
   contact.force = evaluate_contact(material, pair_constants(material, assembly.radius[i], assembly.radius[j]), motion,
-                                   history.tangential_spring, history.rolling_torque, time_step, false);
+                                   history.tangential_spring, history.rolling_torque, time_step, false,
+                                   history.spring_cap, history.torque_cap);
   return contact;
 }
 

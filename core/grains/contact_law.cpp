@@ -28,7 +28,8 @@ struct Capped {
 };
 
 /// `value` scaled to the length `cap` where it is longer. A stored value was scaled before: near the cap it is there.
-Capped apply_cap(const Vector3& value, double cap, bool stored) {
+Capped apply_cap(const Vector3& value, double cap, bool stored, Cap known) {
+  if (stored && known != Cap::unknown) return {value, known == Cap::reached};
   const double length = value.norm();
   const bool reached = stored ? length >= cap * (1.0 - cap_tolerance) : length > cap;
   if (length <= cap) return {value, reached};
@@ -44,7 +45,7 @@ Vector3 sliding_velocity(const ContactKinematics& motion, double lever_first, do
 
 /// F_t; writes the new spring and `sliding`.
 Vector3 tangential_force(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
-                         const Vector3& velocity, Vector3 spring, double time_step, bool advance,
+                         const Vector3& velocity, Vector3 spring, double time_step, bool advance, Cap known,
                          ContactForce& result) {
   const Vector3& n = motion.normal;
   if (advance) {
@@ -53,7 +54,7 @@ Vector3 tangential_force(const Material& material, const PairConstants& pair, co
   }
   const double stiffness = tangential_stiffness(pair, motion.overlap);
   const double cap = material.sliding_friction * std::abs(result.normal);
-  const Capped elastic = apply_cap(-stiffness * spring, cap, !advance);
+  const Capped elastic = apply_cap(-stiffness * spring, cap, !advance, known);
   result.sliding = elastic.reached;
   result.tangential_spring = advance && elastic.reached ? Vector3(-elastic.value / stiffness) : spring;
   if (elastic.reached) return elastic.value;
@@ -62,14 +63,15 @@ Vector3 tangential_force(const Material& material, const PairConstants& pair, co
 
 /// Torque of the rolling model, minus which acts on the first sphere; writes the new spring torque and `rolling`.
 Vector3 rolling_torque_of(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
-                          const Vector3& stored, double time_step, bool advance, ContactForce& result) {
+                          const Vector3& stored, double time_step, bool advance, Cap known,
+                          ContactForce& result) {
   const Vector3 spin = motion.spin_first - motion.spin_second;
   const Vector3 rolling_spin = spin - spin.dot(motion.normal) * motion.normal;
   const double stiffness = material.rolling_stiffness * normal_stiffness(pair, motion.overlap) *
                            square(material.rolling_friction) * square(pair.effective_radius);
   const double cap = material.rolling_friction * std::abs(result.normal) * pair.effective_radius;
   const Vector3 torque = advance ? Vector3(stored + stiffness * time_step * rolling_spin) : stored;
-  const Capped elastic = apply_cap(torque, cap, !advance);
+  const Capped elastic = apply_cap(torque, cap, !advance, known);
   result.rolling = elastic.reached;
   result.rolling_torque = advance ? elastic.value : stored;
   if (elastic.reached) return elastic.value;
@@ -86,17 +88,17 @@ double normal_force(const PairConstants& pair, double overlap, double separation
 
 ContactForce evaluate_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                               const Vector3& tangential_spring, const Vector3& rolling_torque, double time_step,
-                              bool advance_history) {
+                              bool advance_history, Cap spring_cap, Cap torque_cap) {
   const Vector3& n = motion.normal;
   const double lever_first = pair.radius_first - 0.5 * motion.overlap;
   const double lever_second = pair.radius_second - 0.5 * motion.overlap;
   ContactForce result;
   result.normal = normal_force(pair, motion.overlap, motion.relative_velocity.dot(n));
   const Vector3 velocity = sliding_velocity(motion, lever_first, lever_second);
-  const Vector3 tangential =
-      tangential_force(material, pair, motion, velocity, tangential_spring, time_step, advance_history, result);
-  const Vector3 rolling =
-      rolling_torque_of(material, pair, motion, rolling_torque, time_step, advance_history, result);
+  const Vector3 tangential = tangential_force(material, pair, motion, velocity, tangential_spring, time_step,
+                                              advance_history, spring_cap, result);
+  const Vector3 rolling = rolling_torque_of(material, pair, motion, rolling_torque, time_step, advance_history,
+                                            torque_cap, result);
   const Vector3 arm = n.cross(tangential);
   result.on_first = result.normal * n + tangential;
   result.torque_on_first = -lever_first * arm - rolling;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include "grains/cap.hpp"
 #include "grains/material.hpp"
 #include "grains/pair_constants.hpp"
 #include "grains/vector.hpp"
@@ -55,12 +56,13 @@ inline constexpr double cap_tolerance = 1e-6;
 /// `sliding` and `rolling` say that the cap was reached. M is neither projected nor rotated with the contact.
 ///
 /// advance_history = true does one step of `time_step` (s). false evaluates the force that belongs to a stored
-/// history, as it stood at the end of a step: neither s nor M is advanced, projected or changed, and as both were
-/// capped already, k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond
-/// its cap acts with the cap.
+/// history, as it stood at the end of a step. Neither s nor M is advanced, projected or changed, because both were
+/// capped already. Whether the contact slides and rolls is what `spring_cap` and `torque_cap` say. Where these are
+/// unknown, k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its cap
+/// then acts with the cap.
 ContactForce evaluate_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                               const Vector3& tangential_spring, const Vector3& rolling_torque, double time_step,
-                              bool advance_history);
+                              bool advance_history, Cap spring_cap = Cap::unknown, Cap torque_cap = Cap::unknown);
 
 /// Force (N, repulsion positive, not clipped) of a frictionless plane of the same material on a sphere of `radius`
 /// (m) and `mass` (kg): Hertz with dashpot, R* = R, m* = m. `approach_velocity` (m/s) is positive when the overlap

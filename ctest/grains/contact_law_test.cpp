@@ -154,6 +154,22 @@ TEST_F(ContactLaw, TorsionHasNoTorqueAndStoredTorqueIsNotProjected) {
   expect_near(step(zero, 0.1 * x, 1.0).rolling_torque, 0.1 * x, rounding);
 }
 
+TEST_F(ContactLaw, AStoredHistoryIsAtItsCapWhereItsEngineSaysSo) {
+  motion.relative_velocity = 0.01 * y;
+  const auto known = [&](double length, Cap cap) {
+    return evaluate_contact(material, pair_constants(material, 2.0, 2.0), motion, length / 3.0 * y, length * z, 1.0,
+                            false, cap, cap);
+  };
+  // F_n of the engine was larger by 1e-5 than ours of 1/2, so that its caps of 1/4 were, or smaller.
+  for (const double length : {0.25 * (1.0 + 1e-5), 0.25 * (1.0 - 1e-5)}) {
+    const ContactForce capped = known(length, Cap::reached), below = known(length, Cap::below);
+    EXPECT_TRUE(capped.sliding && capped.rolling);
+    EXPECT_FALSE(below.sliding || below.rolling);
+    expect_near(capped.on_first, 0.5 * x - length * y, rounding);
+    expect_near(below.on_first, 0.5 * x - (length + 2.5 * 0.01) * y, rounding);  // and its dashpot
+  }
+}
+
 TEST_F(ContactLaw, ForceOfAStoredHistory) {
   motion.relative_velocity = 0.01 * y;
   ContactForce force = stored(0.02 * y + 0.03 * z, 0.1 * z);

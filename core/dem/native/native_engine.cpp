@@ -330,12 +330,30 @@ Cell NativeEngine<Real>::cell() const {
   return workers_.at(0).boundaries().cell();
 }
 
+/// The grains as the last evaluation of forces saw them.
+template <typename Real>
+std::vector<Body<Real>> NativeEngine<Real>::at_half_step() const {
+  std::vector<Body<Real>> rounded;
+  for (const Body<double>& body : grains_.bodies) rounded.push_back(native::in_precision<Real>(body));
+  if (half_step_) return rounded;
+  for (const native::Worker<Real>& worker : workers_)
+    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const Body<double>& body = grains_.bodies[i];
+        const native::Load<Real>& load = worker.loads()[i];
+        rounded[i].velocity[axis] = static_cast<Real>(body.velocity[axis] - grains_.kick[i] * load.force[axis]);
+        rounded[i].spin[axis] = static_cast<Real>(body.spin[axis] - grains_.twist[i] * load.torque[axis]);
+      }
+  return rounded;
+}
+
 template <typename Real>
 Assembly NativeEngine<Real>::save() const {
   Assembly assembly;
   assembly.cell = cell();
   assembly.resize(grains_.role.size());
   std::vector<Body<double>> bodies = grains_.bodies;
+  const std::vector<Body<Real>> half_step = at_half_step();
   for (const native::Worker<Real>& worker : workers_) {
     if (half_step_) worker.end(bodies);
     for (std::size_t i = worker.share().begin; i < worker.share().end; ++i) {
@@ -348,10 +366,11 @@ Assembly NativeEngine<Real>::save() const {
       assembly.radius[i] = body.radius;
       assembly.role[i] = grains_.role[i];
     }
-    worker.add_histories(assembly.contacts);
+    worker.add_histories(half_step, assembly.contacts);
   }
   return assembly;
 }
+
 template <typename Real>
 std::string NativeEngine<Real>::name() const {
   return std::is_same_v<Real, float> ? "native-mixed" : "native";

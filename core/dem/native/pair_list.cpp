@@ -128,12 +128,28 @@ Vector3 PairList<Real>::separation(std::size_t pair, const Bodies& bodies) const
 }
 
 template <typename Real>
-void PairList<Real>::add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts) const {
+Vector3 PairList<Real>::history(std::size_t first_component, std::size_t pair) const {
+  const auto& h = columns_.history;
+  return {h[first_component][pair], h[first_component + 1][pair], h[first_component + 2][pair]};
+}
+
+template <typename Real>
+void PairList<Real>::add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
+                                   const PairList* eased) const {
+  // Rounding in float shortens a history by less than 2e-7 of itself, and leaves one at its cap within 4e-7 of it.
+  const auto cap = [](const Vector3& history, const Vector3& in_eased) {
+    if (history.isZero(0.0)) return Cap::unknown;
+    return in_eased.norm() < (1.0 - 0.3 * easing) * history.norm() ? Cap::reached : Cap::below;
+  };
   for (std::size_t p = 0; p < pairs_; ++p) {
     const std::uint32_t i = columns_.first[p], j = columns_.second[p];
     if (!share_.owns(i) || separation(p, bodies).norm() >= bodies[i].radius + bodies[j].radius) continue;
-    const auto& h = columns_.history;
-    contacts.push_back({i, j, {h[0][p], h[1][p], h[2][p]}, {h[3][p], h[4][p], h[5][p]}});
+    ContactHistory contact{i, j, history(0, p), history(3, p)};
+    if (eased) {
+      contact.spring_cap = cap(contact.tangential_spring, eased->history(0, p));
+      contact.torque_cap = cap(contact.rolling_torque, eased->history(3, p));
+    }
+    contacts.push_back(contact);
   }
 }
 

@@ -33,8 +33,12 @@ class PairList {
   void set_histories(const std::vector<ContactHistory>& contacts);
   /// Forgets the histories that a law without these parts does not keep.
   void forget(LawVariant variant);
-  /// Adds the histories of the pairs that touch and whose first grain the share owns.
-  void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts) const;
+  /// Adds the histories of the pairs that touch and whose first grain the share owns. `eased`: a copy of this list after
+  /// a contact pass with no time step and friction lowered to (1 - easing) of itself. A history that is shorter there is
+  /// at its cap. Without it, caps are unknown.
+  void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
+                     const PairList* eased = nullptr) const;
+  static constexpr double easing = 1e-6;
 
   /// What the contact pass needs; valid until the list changes. `cell` gives the periods of this moment.
   PairView<Real> view(const Cell& cell);
@@ -60,6 +64,7 @@ class PairList {
   };
   static Candidate candidate(const NearPair& pair, const Bodies& bodies);
   void keep_histories(std::size_t old_pairs);
+  Vector3 history(std::size_t first_component, std::size_t pair) const;
   void set_shifts(const Cell& cell);
 
   Share share_;

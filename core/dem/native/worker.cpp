@@ -235,8 +235,20 @@ void Worker<Real>::add_boundary_forces(StressSums& sums) const {
 }
 
 template <typename Real>
-void Worker<Real>::add_histories(std::vector<ContactHistory>& contacts) const {
-  list_.add_histories(grains_.seen(0), contacts);
+void Worker<Real>::add_histories(const std::vector<Body<Real>>& half_step,
+                                 std::vector<ContactHistory>& contacts) const {
+  if constexpr (std::is_same_v<Real, double>) {
+    list_.add_histories(half_step, contacts);
+  } else {
+    PairList<Real> eased = list_;
+    LawConstants<Real> law = grains_.law;
+    law.time_step = 0;
+    law.sliding_friction *= static_cast<Real>(1.0 - PairList<Real>::easing);
+    law.rolling_friction *= static_cast<Real>(1.0 - PairList<Real>::easing);
+    std::vector<Load<Real>> unused(half_step.size());
+    passes_.contacts(grains_.variant, law, eased.view(boundaries_.cell()), half_step.data(), unused.data(), nullptr);
+    list_.add_histories(half_step, contacts, &eased);
+  }
 }
 
 template <typename Real>

@@ -82,8 +82,10 @@ class Team {
     return sums;
   }
   std::vector<ContactHistory> histories() const {
+    std::vector<Body<Real>> half_step;
+    for (const Body<double>& body : grains_.bodies) half_step.push_back(in_precision<Real>(body));
     std::vector<ContactHistory> contacts;
-    for (const Worker<Real>& worker : workers_) worker.add_histories(contacts);
+    for (const Worker<Real>& worker : workers_) worker.add_histories(half_step, contacts);
     return contacts;
   }
   const Load<Real>& load_of(std::size_t grain) const {
