@@ -61,6 +61,10 @@ ProgressStyle ProgressStyle::of_stderr(int rank, bool silent) {
   return style;
 }
 
+void ProgressStyle::say(std::string_view line) const {
+  if (!silent && rank == 0) (stream != nullptr ? *stream : std::cerr) << line << std::endl;
+}
+
 Progress::Progress(std::string label, std::int64_t total, ProgressStyle style, std::int64_t done)
     : label_(std::move(label)), total_(total), done_(done), first_(done), style_(std::move(style)) {
   check_steps(done, total);

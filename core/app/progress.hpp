@@ -24,6 +24,8 @@ struct ProgressStyle {
 
   /// The style that suits stderr as it is now.
   static ProgressStyle of_stderr(int rank = 0, bool silent = false);
+  /// Writes a line at once, unless silent.
+  void say(std::string_view line) const;
 };
 
 /// "fig03 loosest:  42 %  12.3k steps/s  1 min 05 s left  strain 0.21". Not for use by several threads at once.

@@ -59,11 +59,21 @@ PreparedSample prepared(const StoredSample& stored) {
   return sample;
 }
 
-/// The lock of a sample on the first rank, once no other process holds it.
-std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const PreparationBorder& border) {
+/// The lock of a sample on the first rank, once no other process holds it. Says so once if it has to wait.
+std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const std::string& label,
+                                 const ProgressStyle& style, const PreparationBorder& border) {
   std::optional<FileLock> lock;
-  for (;;) {
-    on_first_rank([&] { lock = store.try_lock(key); });
+  for (bool said = false;; said = true) {
+    on_first_rank([&] {
+      try {
+        lock = store.try_lock(key);
+      } catch (const FileError& error) {
+        throw FileError(fmt::format("{}: it is not in the cache and cannot be prepared there: {}; set FLOWSLIDE_CACHE to "
+                                    "a folder that has it or may be written", label, error.what()));
+      }
+      if (!lock && !said)
+        style.say(fmt::format("{}: waits for {}, which prepares this sample ({})", label, store.holder(key), key));
+    });
     if (same_on_all_ranks(lock.has_value())) return lock;
     if (border) border([] { return false; });
     std::this_thread::sleep_for(time_between_tries);
@@ -118,16 +128,11 @@ struct Trials {
 
   PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
     const std::string key = cache_key(recipe, preparation_identity(engine.name(), engine.version()));
-    const std::optional<FileLock> lock = wait_for(store, key, border);
-    if (const auto kept = store.find(key)) {
-      try {
-        return prepared(*kept);
-      } catch (const CorruptFileError& error) {
-        throw CorruptFileError(store.path(key).string() + " " + error.what());
-      }
-    }
-    if (const auto known = store.find_failure(key); known && known->recipe == failed(recipe, {}).recipe)
-      throw NumericalFailure(known->reason);
+    // First without a lock: the cache may be another user's, or read-only.
+    if (auto kept = find(recipe, key)) return *std::move(kept);
+    on_first_rank([&] { say_if_new(folder, style); });
+    const std::optional<FileLock> lock = wait_for(store, key, label, style, border);
+    if (auto kept = find(recipe, key)) return *std::move(kept);
     PreparationCheckpoints checkpoints(folder, key);
     try {
       PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
@@ -139,6 +144,28 @@ struct Trials {
       checkpoints.remove();
       throw;
     }
+  }
+
+  /// The sample, if it is there. Throws NumericalFailure if its preparation is known to fail.
+  std::optional<PreparedSample> find(const SampleRecipe& recipe, const std::string& key) const {
+    bool is_there = false, has_failed = false;
+    on_first_rank([&] {
+      is_there = store.has(key);
+      has_failed = !is_there && store.has_failure(key);
+    });
+    if (same_on_all_ranks(is_there)) {
+      const std::optional<StoredSample> kept = store.find(key);
+      if (!kept) throw FileError(fmt::format("{} has gone while it was looked for", store.path(key).string()));
+      try {
+        return prepared(*kept);
+      } catch (const CorruptFileError& error) {
+        throw CorruptFileError(store.path(key).string() + " " + error.what());
+      }
+    }
+    if (!same_on_all_ranks(has_failed)) return std::nullopt;
+    const std::optional<FailedSample> known = store.find_failure(key);
+    if (known && known->recipe == failed(recipe, {}).recipe) throw NumericalFailure(known->reason);
+    return std::nullopt;
   }
 };
 
@@ -168,13 +195,8 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& preparation
 
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
                         const ProgressStyle& style, const PreparationBorder& border) {
-  std::optional<SampleStore> store;
-  on_first_rank([&] {
-    say_if_new(cache, style);
-    store.emplace(cache);
-  });
-  if (!store) store.emplace(cache);  // the folder is there now
-  const Trials trials{engine, *store, cache, style, border};
+  const SampleStore store(cache);
+  const Trials trials{engine, store, cache, style, border};
   FoundSample found;
   const auto prepare = [&](const SampleRecipe& recipe) {
     found.sample = trials.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,

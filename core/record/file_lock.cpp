@@ -3,11 +3,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "record/atomic_file.hpp"
@@ -17,10 +21,20 @@ namespace {
 
 int open_lock(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw FileError(fmt::format("cannot create the lock {}: {}; choose a folder that you may write", path.string(),
-                                std::strerror(errno)));
-  return descriptor;
+  if (descriptor >= 0) return descriptor;
+  const int reason = errno;
+  // One that another user has left may be locked, though not written.
+  const int readable = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (readable >= 0 && reason != EISDIR) return readable;
+  if (readable >= 0) ::close(readable);
+  throw FileError(fmt::format("cannot create the lock {}: {}; choose a folder that you may write", path.string(),
+                              std::strerror(reason)));
+}
+
+std::string this_machine() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
 }
 
 /// False if another process holds it. An error other than that means that this file system has no locks.
@@ -34,12 +48,42 @@ bool take(int descriptor, int operation) {
 
 }  // namespace
 
-FileLock::FileLock(const std::filesystem::path& path) : descriptor_(open_lock(path)) { take(descriptor_, LOCK_EX); }
+FileLock::FileLock(const std::filesystem::path& path) : descriptor_(open_lock(path)) {
+  take(descriptor_, LOCK_EX);
+  sign();
+}
 
 std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   FileLock lock(open_lock(path));
   if (!take(lock.descriptor_, LOCK_EX | LOCK_NB)) return std::nullopt;
+  lock.sign();
   return lock;
+}
+
+/// What cannot be written is not missed: the lock holds without it.
+void FileLock::sign() const {
+  const std::string text = fmt::format("{} {}\n", ::getpid(), this_machine());
+  const bool written = ::ftruncate(descriptor_, 0) == 0 &&
+                       ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+  static_cast<void>(written);
+}
+
+std::string FileLock::holder(const std::filesystem::path& path) {
+  const std::string unknown = "another process";
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const FileError&) {
+    return unknown;
+  }
+  pid_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  if (error != std::errc{} || number <= 0 || rest.size() < 3 || rest.front() != ' ' || rest.back() != '\n') return unknown;
+  const std::string_view machine = rest.substr(1, rest.size() - 2);
+  // One that has ended did not sign what another holds now: that one may not write the file.
+  if (machine == this_machine() && ::kill(number, 0) != 0 && errno == ESRCH) return unknown;
+  return fmt::format("process {} on {}", number, machine);
 }
 
 bool FileLock::is_held(const std::filesystem::path& path) {

@@ -45,7 +45,9 @@ void check_finite(const Assembly& assembly) {
 
 }  // namespace
 
-SampleStore::SampleStore(std::filesystem::path folder) : folder_(std::move(folder)) {
+SampleStore::SampleStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+void SampleStore::make_folder() const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error)
@@ -60,9 +62,13 @@ std::filesystem::path SampleStore::path(const std::string& key) const {
   return folder_ / (key + ".h5");
 }
 
+bool SampleStore::has(const std::string& key) const { return is_there(path(key)); }
+
+bool SampleStore::has_failure(const std::string& key) const { return is_there(failure_path(key)); }
+
 std::optional<StoredSample> SampleStore::find(const std::string& key) const {
+  if (!has(key)) return std::nullopt;
   const auto file_path = path(key);
-  if (!is_there(file_path)) return std::nullopt;
   const std::string image = read_sealed(file_path, mend);
   try {
     const auto file = hdf5::File::open(image, file_path.string());
@@ -84,6 +90,7 @@ void SampleStore::put(const std::string& key, const StoredSample& sample) const 
   write_assembly(root, "assembly", sample.assembly);
   check_finite(sample.assembly);
   write_metrics(root, "metrics", sample.metrics);
+  make_folder();
   write_sealed(file_path, file.image(), IfExists::replace);
 }
 
@@ -92,8 +99,8 @@ std::filesystem::path SampleStore::failure_path(const std::string& key) const {
 }
 
 std::optional<FailedSample> SampleStore::find_failure(const std::string& key) const {
+  if (!has_failure(key)) return std::nullopt;
   const auto file_path = failure_path(key);
-  if (!is_there(file_path)) return std::nullopt;
   const std::string text = read_sealed(file_path, mend), first_line = key + "\n";
   const std::size_t mark = text.find(failure_mark);
   if (!text.starts_with(first_line) || mark == std::string::npos)
@@ -103,17 +110,26 @@ std::optional<FailedSample> SampleStore::find_failure(const std::string& key) co
 }
 
 void SampleStore::put_failure(const std::string& key, const FailedSample& failure) const {
+  make_folder();
   write_sealed(failure_path(key), fmt::format("{}\n{}{}{}", key, failure.recipe, failure_mark, failure.reason),
                IfExists::replace);
 }
 
+std::filesystem::path SampleStore::lock_path(const std::string& key) const {
+  return path(key).replace_extension(".lock");
+}
+
 FileLock SampleStore::lock(const std::string& key) const {
-  return FileLock(path(key).replace_extension(".lock"));
+  make_folder();
+  return FileLock(lock_path(key));
 }
 
 std::optional<FileLock> SampleStore::try_lock(const std::string& key) const {
-  return FileLock::try_lock(path(key).replace_extension(".lock"));
+  make_folder();
+  return FileLock::try_lock(lock_path(key));
 }
+
+std::string SampleStore::holder(const std::string& key) const { return FileLock::holder(lock_path(key)); }
 
 StoredSample SampleStore::find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const {
   if (auto sample = find(key)) return *std::move(sample);

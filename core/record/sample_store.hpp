@@ -31,9 +31,12 @@ struct FailedSample {
 /// Not collective: with several MPI ranks, one of them calls this and broadcasts.
 class SampleStore {
  public:
-  /// Creates the folder if it is missing. Throws FileError.
+  /// The folder need not be there, nor be writable: it is made by the first lock or sample.
   explicit SampleStore(std::filesystem::path folder);
 
+  /// Whether there is a sample, or the reason of a failure, complete or damaged.
+  bool has(const std::string& key) const;
+  bool has_failure(const std::string& key) const;
   /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file: it is
   /// never used, and the message says which file to delete.
   std::optional<StoredSample> find(const std::string& key) const;
@@ -44,10 +47,13 @@ class SampleStore {
   std::optional<FailedSample> find_failure(const std::string& key) const;
   /// Keeps a failure, whole or not at all. Throws FileError if it cannot be written.
   void put_failure(const std::string& key, const FailedSample& failure) const;
-  /// Waits until no other process holds the lock of `key`.
+  /// Waits until no other process holds the lock of `key`. Reading a sample needs none: it is complete as soon as it is
+  /// there. Throws FileError if the folder cannot be made or written.
   FileLock lock(const std::string& key) const;
-  /// The lock, or empty if another process holds it.
+  /// The lock, or empty if another process holds it. Throws as lock().
   std::optional<FileLock> try_lock(const std::string& key) const;
+  /// Who holds the lock of `key`, as FileLock::holder says.
+  std::string holder(const std::string& key) const;
   /// The sample, prepared by `prepare` and kept if there is none. Two processes that need the same one prepare it once.
   StoredSample find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const;
   /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.
@@ -56,6 +62,9 @@ class SampleStore {
   std::filesystem::path failure_path(const std::string& key) const;
 
  private:
+  void make_folder() const;
+  std::filesystem::path lock_path(const std::string& key) const;
+
   std::filesystem::path folder_;
 };
 

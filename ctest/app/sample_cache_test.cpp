@@ -2,6 +2,8 @@
 #include "app/sample_cache.hpp"
 
 #include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <map>
@@ -210,8 +212,7 @@ TEST_F(SampleCache, SaysHowNearItCameWhenASearchFails) {
 
 TEST_F(SampleCache, RefusesATargetThatNoPackingHasBeforeAnyStep) {
   ElasticBlock engine;
-  const auto [code, message] = end(engine, specification(0.3));
-  EXPECT_EQ(code, 2);
+  const std::string message = message_of<std::invalid_argument>([&] { find(engine, specification(0.3)); });
   EXPECT_CONTAINS(message, "the void ratio 0.3 cannot be reached: packings of spheres at rest lie between 0.55 and 1");
   EXPECT_EQ(engine.steps(), 0);
 }
@@ -259,6 +260,79 @@ TEST_F(SampleCache, RefusesAFolderThatCannotBe) {
   });
   EXPECT_CONTAINS(message, (file / "cache").string());
   EXPECT_EQ(engine.steps(), 0);
+}
+
+TEST_F(SampleCache, UsesACompleteSampleWhereNothingCanBeLocked) {
+  ElasticBlock first, second;
+  const FoundSample made = find(first);
+  const fs::path lock = files().at(0).replace_extension(".lock");
+  fs::remove(lock);
+  fs::create_directory(lock);  // in the place of the lock: as good as a folder that cannot be written, also for root
+  EXPECT_EQ(find(second).sample.assembly.position, made.sample.assembly.position);
+  EXPECT_EQ(second.steps(), 0);
+}
+
+TEST_F(SampleCache, RemembersAFailureWhereNothingCanBeLocked) {
+  SampleSpecification brief = specification(0.75, 0.02, 1);
+  brief.recipe.most_steps = 60;
+  ElasticBlock engine;
+  const auto [code, message] = end(engine, brief);
+  ASSERT_EQ(code, 3);
+  const fs::path lock = folder() / (cache_key(brief.recipe, "block 1") + ".lock");
+  fs::remove(lock);
+  fs::create_directory(lock);
+  EXPECT_EQ(end(engine, brief), std::pair(3, message));
+}
+
+TEST_F(SampleCache, ReadsTheFolderOfAnotherUser) {
+  ElasticBlock first, second, third;
+  const FoundSample made = find(first);
+  for (const fs::path& path : {scratch_.path(), folder()}) fs::permissions(path, fs::perms(0555));
+  const bool root = ::geteuid() == 0;
+  ASSERT_TRUE(!root || ::seteuid(65534) == 0);
+  const FoundSample found = find(second);
+  const auto [code, message] = end(third, specification(0.78));
+  ASSERT_TRUE(!root || ::seteuid(0) == 0);
+  for (const fs::path& path : {scratch_.path(), folder()}) fs::permissions(path, fs::perms(0755));
+  EXPECT_EQ(found.sample.assembly.position, made.sample.assembly.position);
+  EXPECT_EQ(second.steps(), 0);
+  // Another sample is not there, and cannot be kept: that is said before it is prepared.
+  EXPECT_EQ(code, 2);
+  EXPECT_CONTAINS(message, "it is not in the cache and cannot be prepared there: cannot create the lock");
+  EXPECT_CONTAINS(message, "set FLOWSLIDE_CACHE to a folder that has it or may be written");
+  EXPECT_EQ(third.steps(), 0);
+}
+
+TEST_F(SampleCache, SaysWhoItWaitsFor) {
+  const std::string key = cache_key(easy.recipe, "block 1");
+  int ready[2], done[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  ASSERT_EQ(::pipe(done), 0);
+  const pid_t other = ::fork();
+  if (other == 0) {
+    const FileLock held = SampleStore(folder()).lock(key);
+    char byte = 'x';
+    const bool told = ::write(ready[1], &byte, 1) == 1 && ::read(done[0], &byte, 1) == 1;
+    ::_exit(told ? 0 : 1);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  std::ostringstream lines;
+  ProgressStyle style;
+  style.stream = &lines;
+  ElasticBlock engine;
+  int borders = 0;
+  find_sample(engine, easy, folder(), style, [&](const auto&) {
+    if (++borders == 3) {
+      EXPECT_EQ(::write(done[1], &byte, 1), 1);
+    }
+  });
+  EXPECT_EQ(::waitpid(other, nullptr, 0), other);
+  const std::string waits = "sample loose (e0 0.75 wanted), trial 1: waits for process " + std::to_string(other) + " on ";
+  EXPECT_CONTAINS(lines.str(), waits);
+  EXPECT_CONTAINS(lines.str(), "which prepares this sample (" + key + ")");
+  EXPECT_EQ(lines.str().find(waits), lines.str().rfind(waits));  // once
+  EXPECT_EQ(engine.preparations(), 1);                           // the other one has kept nothing
 }
 
 TEST_F(SampleCache, ShowsItsProgress) {

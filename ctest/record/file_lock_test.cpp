@@ -5,8 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
+#include <fstream>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -61,6 +65,54 @@ TEST(FileLock, WaitsForAnotherProcessAndOutlivesItsDeath) {
 TEST(FileLock, RefusesAFolderThatIsNotThere) {
   const TemporaryFolder folder;
   EXPECT_THROW(FileLock lock(folder / "none" / "lock"), FileError);
+  std::filesystem::create_directory(folder / "lock");  // nor can a folder be locked
+  EXPECT_THROW(FileLock::try_lock(folder / "lock"), FileError);
+}
+
+TEST(FileLock, TellsWhichProcessHoldsIt) {
+  const TemporaryFolder folder;
+  std::array<char, 256> machine{};
+  ASSERT_EQ(::gethostname(machine.data(), machine.size() - 1), 0);
+  const FileLock held(folder / "lock");
+  EXPECT_EQ(FileLock::holder(folder / "lock"), "process " + std::to_string(::getpid()) + " on " + machine.data());
+  {
+    const auto again = FileLock::try_lock(folder / "lock");  // does not sign what it does not get
+    EXPECT_FALSE(again);
+  }
+  EXPECT_EQ(FileLock::holder(folder / "lock"), "process " + std::to_string(::getpid()) + " on " + machine.data());
+}
+
+TEST(FileLock, DoesNotNameAHolderThatItDoesNotKnow) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(FileLock::holder(folder / "none"), "another process");
+  const pid_t gone = ::fork();
+  if (gone == 0) {
+    const FileLock held(folder / "lock");
+    ::_exit(0);
+  }
+  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
+  EXPECT_EQ(FileLock::holder(folder / "lock"), "another process");  // it has ended: who has it now could not sign
+  for (const char* text : {"", "x\n", "12", "-3 node\n", "12 \n", "99999999999999999999 node\n"}) {
+    std::ofstream(folder / "lock") << text;
+    EXPECT_EQ(FileLock::holder(folder / "lock"), "another process") << text;
+  }
+  std::ofstream(folder / "lock") << "12 another-machine\n";
+  EXPECT_EQ(FileLock::holder(folder / "lock"), "process 12 on another-machine");
+}
+
+TEST(FileLock, HoldsWhatAnotherUserHasLeft) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can be two users";
+  const TemporaryFolder folder;
+  { const FileLock left(folder / "lock"); }
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+  std::filesystem::permissions(folder / "lock", std::filesystem::perms(0644));
+  ASSERT_EQ(::seteuid(65534), 0);
+  std::optional<FileLock> held;
+  EXPECT_NO_THROW(held = FileLock::try_lock(folder / "lock"));
+  EXPECT_THROW(FileLock lock(folder / "new"), FileError);
+  ASSERT_EQ(::seteuid(0), 0);
+  ASSERT_TRUE(held);
+  EXPECT_TRUE(FileLock::is_held(folder / "lock"));
 }
 
 }  // namespace

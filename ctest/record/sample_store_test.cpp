@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "damage.hpp"
@@ -73,7 +74,9 @@ TEST(SampleStore, LeavesNothingAfterAnError) {
   EXPECT_THROW(store.put("abc123", sample), std::invalid_argument);
   EXPECT_EQ(folder.entries(), 0);
   write_atomically(folder / "file", "x");
-  EXPECT_THROW(SampleStore(folder / "file" / "samples"), FileError);
+  const SampleStore below_a_file(folder / "file" / "samples");
+  EXPECT_THROW(below_a_file.put("abc123", example_sample()), FileError);
+  EXPECT_THROW(below_a_file.try_lock("abc123"), FileError);
 }
 
 TEST(SampleStore, KeepsWhyAPreparationFailed) {
@@ -90,6 +93,19 @@ TEST(SampleStore, KeepsWhyAPreparationFailed) {
   expect_damage_found(store.failure_path("abc123"), [&] { store.find_failure("abc123"); });
   std::filesystem::rename(store.failure_path("abc123"), store.failure_path("abc124"));
   EXPECT_THROW(store.find_failure("abc124"), CorruptFileError);
+}
+
+TEST(SampleStore, IsReadWithoutBeingWritten) {
+  const TemporaryFolder folder;
+  const SampleStore none(folder / "none");
+  EXPECT_FALSE(none.has("key1"));
+  EXPECT_FALSE(none.has_failure("key1"));
+  EXPECT_FALSE(none.find("key1"));
+  EXPECT_FALSE(none.find_failure("key1"));
+  EXPECT_EQ(folder.entries(), 0u);  // not even the folder is made
+  const FileLock held = none.lock("key1");
+  EXPECT_TRUE(std::filesystem::exists(folder / "none"));
+  EXPECT_NE(none.holder("key1").find("process " + std::to_string(::getpid()) + " on "), std::string::npos);
 }
 
 TEST(SampleStore, TakesOnlyPlainKeys) {
