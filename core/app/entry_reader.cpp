@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "app/error.hpp"
 #include "app/nesting.hpp"
+#include "app/text_file.hpp"
 
 namespace flowslide {
 namespace {
@@ -182,15 +181,7 @@ std::vector<Entry> read_entries(std::string_view toml, const std::string& origin
 }
 
 std::vector<Entry> read_entries(const std::filesystem::path& file) {
-  std::error_code failure;
-  if (std::filesystem::is_directory(file, failure))
-    throw ConfigurationError(fmt::format("{}: is a folder, but a TOML file is needed", file.string()));
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream) text << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
-    throw ConfigurationError(fmt::format("{}: cannot be read; check the path and its permissions", file.string()));
-  return read_entries(text.str(), file.string());
+  return read_entries(read_text_file(file, "a TOML file"), file.string());
 }
 
 std::vector<Entry> read_option(const std::string& key, const std::string& value, const std::string& option) {

@@ -3,52 +3,66 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/error.hpp"
+#include "app/text_file.hpp"
 
 namespace flowslide {
 namespace {
 
-/// Reads one word as a number; a word that is none, or not finite, is refused.
-double number_of(const std::string& word, const std::string& place) {
-  std::size_t used = 0;
+/// Reads one word as a number; a word that is none, or not finite, is refused. The decimal sign is a point whatever the
+/// locale.
+double number_of(std::string_view word, const std::string& place) {
+  std::string_view digits = word;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double value = std::nan("");
-  try {
-    value = std::stod(word, &used);
-  } catch (const std::logic_error&) {  // no number, or beyond a double
-  }
-  if (used != word.size() || !std::isfinite(value))
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
     throw ConfigurationError(fmt::format("{}: \"{}\" is not a finite number; give a time in s and a stress in Pa, such "
                                          "as \"0.5 1200\"", place, word));
   return value;
 }
 
+/// The words of a line before its comment.
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  line = line.substr(0, line.find('#'));
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    if (line.empty()) return words;
+    words.push_back(line.substr(0, line.find_first_of(blanks)));
+    line.remove_prefix(words.back().size());
+  }
+}
+
 }  // namespace
 
 StressTable read_loading_table(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file))
-    throw ConfigurationError(fmt::format("{}: the loading table cannot be read; check the path", file.string()));
+  const std::string text = read_text_file(file, "a loading table");
   StressTable table;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
+  std::string_view rest = text;
+  for (int number = 1; !rest.empty(); ++number) {
     const std::string place = fmt::format("{}:{}", file.string(), number);
-    std::istringstream words(line.substr(0, line.find('#')));
-    std::string time, change, more;
-    if (!(words >> time)) continue;
-    if (!(words >> change) || words >> more)
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.empty()) continue;
+    if (words.size() != 2)
       throw ConfigurationError(fmt::format("{}: a row of a loading table is two numbers: a time in s and a stress in "
                                            "Pa, such as \"0.5 1200\"", place));
-    const double now = number_of(time, place);
+    const double now = number_of(words[0], place);
     if (!table.time.empty() && now <= table.time.back())
       throw ConfigurationError(fmt::format("{}: the time {} s does not come after {} s; sort the rows by time and "
                                            "leave no time twice", place, now, table.time.back()));
     table.time.push_back(now);
-    table.change.push_back(number_of(change, place));
+    table.change.push_back(number_of(words[1], place));
   }
   if (table.time.empty())
     throw ConfigurationError(fmt::format("{}: the loading table is empty; give rows of a time in s and a stress in Pa",

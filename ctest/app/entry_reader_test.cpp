@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/entry_reader.hpp"
 
+#include <sys/stat.h>
+
 #include "app/error.hpp"
 #include "messages.hpp"
 
@@ -102,6 +104,18 @@ TEST(ReadEntries, NamesAFileThatCannotBeRead) {
                   "none.toml: cannot be read");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_entries(scratch.path()); }), "is a folder");
   EXPECT_TRUE(read_entries(scratch.write("empty.toml", "")).empty());
+}
+
+TEST(ReadEntries, TakesAFileWithAByteOrderMarkAndNoPipe) {
+  const ScratchFolder scratch;
+  const std::vector<Entry> entries = read_entries(scratch.write("marked.toml", "\xEF\xBB\xBF" "a = 3\n"));
+  ASSERT_EQ(entries.size(), 1U);
+  EXPECT_EQ(entries[0].key, "a");
+  EXPECT_EQ(entries[0].key_place.column, 1U);
+  const auto pipe = scratch.path() / "pipe.toml";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_entries(pipe); }),
+                  "pipe.toml: is a pipe, a socket or a device, but a TOML file is needed");
 }
 
 TEST(ReadOption, ReadsAValueAsTomlOrElseAsText) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/loading_table.hpp"
 
+#include <sys/stat.h>
+
 #include "app/error.hpp"
 #include "messages.hpp"
+#include "support/comma_locale.hpp"
 
 namespace flowslide {
 namespace {
@@ -53,7 +56,33 @@ TEST_F(LoadingTable, RowsOfOtherThanTwoNumbersAreRefused) {
 TEST_F(LoadingTable, FileThatCannotBeReadIsNamed) {
   for (const auto& path : {folder_.path() / "missing.txt", folder_.path()})
     EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_loading_table(path); }),
-                    path.string() + ": the loading table cannot be read; check the path");
+                    path.string() + ": ");
+}
+
+TEST_F(LoadingTable, MayBeginWithAByteOrderMark) {
+  EXPECT_EQ(read("\xEF\xBB\xBF" "0 0\r\n0.5 1200\r\n").time, (std::vector<double>{0.0, 0.5}));
+  EXPECT_EQ(read("\xEF\xBB\xBF# time stress\n0 7\n").change, (std::vector<double>{7.0}));
+}
+
+TEST_F(LoadingTable, PipeIsRefusedInsteadOfWaitedFor) {
+  const auto pipe = folder_.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_loading_table(pipe); }),
+                  "pipe: is a pipe, a socket or a device, but a loading table is needed; write it to a file first");
+}
+
+TEST_F(LoadingTable, HasADecimalPointInEveryLocale) {
+  const CommaLocale host;
+  const StressTable table = read("0 0\n0.05 1.2e3\n+2.5 -0.5\n");
+  EXPECT_EQ(table.time, (std::vector<double>{0.0, 0.05, 2.5}));
+  EXPECT_EQ(table.change, (std::vector<double>{0.0, 1200.0, -0.5}));
+  EXPECT_CONTAINS(complaint("0 0\n0,05 1200\n"), "loading.txt:2: \"0,05\" is not a finite number");
+  EXPECT_CONTAINS(complaint("0.5 0\n0.25 1\n"), "the time 0.25 s does not come after 0.5 s");
+}
+
+TEST_F(LoadingTable, TakesNoHexadecimalNumberForADecimalOne) {
+  EXPECT_CONTAINS(complaint("0x10 0\n"), "\"0x10\" is not a finite number");
+  EXPECT_CONTAINS(complaint("0 +-5\n"), "\"+-5\" is not a finite number");
 }
 
 TEST_F(LoadingTable, GoesIntoAResultAndBack) {
