@@ -4,6 +4,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Numbers have a decimal point, whatever the locale of the user: awk, printf and sort read and write them.
+export LC_ALL=C.UTF-8
+
 # One rank computes with one thread; points and ranks share the cores, so no rank is tied to one.
 export OMP_NUM_THREADS=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_rmaps_base_oversubscribe=1

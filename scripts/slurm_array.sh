@@ -9,6 +9,7 @@
 #SBATCH --open-mode=append
 #SBATCH --signal=B:TERM@120
 set -uo pipefail
+export LC_ALL=C.UTF-8   # numbers with a decimal point
 
 points=()
 while (($#)) && [[ $1 != -- ]]; do points+=("$1"); shift; done

@@ -6,7 +6,8 @@ namespace flowslide {
 
 /// Whether a contact history has the length that friction allows at most: mu |F_n| / k_t of a tangential spring,
 /// mu_r |F_n| R* of a rolling torque. An engine whose law works in float says so, because its rounding hides it: F_n may
-/// be a small difference of spring and dashpot, and is then known less well than the history.
-enum class Cap : std::uint8_t { unknown, below, reached };
+/// be a small difference of spring and dashpot, and is then known less well than the history. As wide as it is, it leaves
+/// no gap in a ContactHistory, which ranks exchange byte by byte.
+enum class Cap : std::uint32_t { unknown, below, reached };
 
 }  // namespace flowslide

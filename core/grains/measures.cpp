@@ -39,7 +39,7 @@ double volume_below(double radius, double height) {
 double void_ratio_of_bulk(const Assembly& assembly, double margin) {
   const Cell& cell = assembly.cell;
   require(margin >= 0.0 && 2.0 * margin < cell.height(), "margin", margin,
-          "0 to less than half of the height, " + std::to_string(0.5 * cell.height()) + " m", "Use a smaller margin.");
+          fmt::format("0 to less than half of the height, {} m", 0.5 * cell.height()), "Use a smaller margin.");
   const double bottom = cell.lower.z() + margin, top = cell.upper.z() - margin;
   double solid = 0.0;
   for (std::size_t i = 0; i < assembly.size(); ++i) {

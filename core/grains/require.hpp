@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <sstream>
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -10,10 +11,7 @@ namespace flowslide {
 inline void require(bool allowed, const std::string& name, double value, const std::string& range,
                     const std::string& mend) {
   if (allowed) return;
-  std::ostringstream message;
-  message.precision(17);
-  message << name << " is " << value << "; allowed: " << range << ". " << mend;
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument(fmt::format("{} is {}; allowed: {}. {}", name, value, range, mend));
 }
 
 }  // namespace flowslide

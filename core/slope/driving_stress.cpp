@@ -33,10 +33,10 @@ void check(const StressTable& table) {
   require_of_slope(!table.time.empty(), "number of rows of the loading table", rows, "1 or more",
                    "Give times in s and changes of the shear stress in Pa.");
   require_of_slope(table.time.size() == table.change.size(), "number of stresses of the loading table",
-                   static_cast<double>(table.change.size()), std::to_string(table.time.size()),
+                   static_cast<double>(table.change.size()), fmt::format("{}", table.time.size()),
                    "Give one stress per time.");
   for (std::size_t row = 0; row < table.time.size(); ++row) {
-    const std::string of_row = " in row " + std::to_string(row + 1) + " of the loading table";
+    const std::string of_row = fmt::format(" in row {} of the loading table", row + 1);
     require_finite("time" + of_row, table.time[row], "s");
     require_finite("stress" + of_row, table.change[row], "Pa");
     require_of_slope(row == 0 || table.time[row] > table.time[row - 1], "time" + of_row, table.time[row],

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <fmt/format.h>
+
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -11,10 +12,7 @@ namespace flowslide {
 inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
                              const std::string& mend) {
   if (allowed) return;
-  std::ostringstream message;
-  message.precision(17);
-  message << "slope: " << name << " is " << value << "; allowed: " << range << ". " << mend;
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, mend));
 }
 
 /// The same for what must be finite and above zero.

@@ -23,12 +23,12 @@ void validate(const SlopeProperties& slope) {
   require_positive("dry density", slope.dry_density, "kg/m^3", density_mend);
   require_positive("water density", slope.water_density, "kg/m^3", density_mend);
   require_of_slope(slope.saturated_density > slope.water_density, "saturated density", slope.saturated_density,
-                   "more than the water density " + std::to_string(slope.water_density) + " kg/m^3",
+                   fmt::format("more than the water density {} kg/m^3", slope.water_density),
                    "Give the density of soil and pore water together.");
   require_positive("gravity", slope.gravity, "m/s^2", "Give its magnitude, such as 9.81.");
   require_positive("thickness", slope.thickness, "m", "Give the thickness of the whole sliding mass.");
   require_positive("liquefiable thickness", slope.liquefiable_thickness, "m", "Give the layer at the base.");
-  const std::string thickness = std::to_string(slope.thickness) + " m (the thickness)";
+  const std::string thickness = fmt::format("{} m (the thickness)", slope.thickness);
   require_of_slope(slope.liquefiable_thickness <= slope.thickness, "liquefiable thickness",
                    slope.liquefiable_thickness, "at most " + thickness,
                    "Make the layer thinner or the slope thicker.");

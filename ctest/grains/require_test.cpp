@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/comma_locale.hpp"
+
 namespace flowslide {
 namespace {
 
@@ -14,6 +16,16 @@ TEST(Require, SaysWhatIsWrongTheValueWhatIsAllowedAndHowToMend) {
     FAIL() << "nothing thrown";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "size is -0.5; allowed: > 0. Grow.");
+  }
+}
+
+TEST(Require, WritesNumbersWithAPointInEveryLocale) {
+  const CommaLocale host;
+  try {
+    require(false, "size", 1234567.5, "> 0", "Grow.");
+    FAIL() << "nothing thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "size is 1234567.5; allowed: > 0. Grow.");
   }
 }
 

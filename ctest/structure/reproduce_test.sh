@@ -82,6 +82,11 @@ expect 0 'build into build/release' --build
 grep -q 'cmake --build' "$room/calls" || { echo '--build did not build'; failures=$((failures + 1)); }
 expect 0 'fig03 *20 s' --list --jobs 2
 expect 0 'fig02_sample *20 s' fig02_sample --list --jobs 1
+# In a locale with a decimal comma, too. The file is what localedef makes of decimal_point "," and nothing else.
+mkdir -p "$room/locales/comma"
+printf '\024\021\003\040\006\000\000\000\040\000\000\000\042\000\000\000\044\000\000\000\050\000\000\000\054\000\000\000\060\000\000\000,\000.\000\003\003\000\000,\000\000\000.\000\000\000UTF-8\000' \
+  >"$room/locales/comma/LC_NUMERIC"
+LOCPATH="$room/locales" LC_ALL='' LC_NUMERIC=comma expect 0 'fig03 *22 s' --list --jobs 1
 expect 0 'claims of b a checked' fig03
 expect_file quick/run 'a b '
 expect 0 'claims of b c a checked' --scale=paper

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dem/liggghts/instance.hpp"
 
+#include <fmt/format.h>
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
+#include <universe.h>
 
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -13,6 +19,7 @@
 #include <vector>
 
 #include "dem/engine.hpp"
+#include "dem/liggghts/c_locale.hpp"
 #include "dem/liggghts/error_bridge.hpp"
 
 namespace flowslide {
@@ -23,18 +30,30 @@ class MpiSession {
   MpiSession() {
     int initialized = 0;
     MPI_Initialized(&initialized);
-    if (!initialized) MPI_Init(nullptr, nullptr);
-    owner_ = !initialized;
+    if (initialized) return;
+    // A program without mpirun starts Open MPI's daemon, which looks for ssh in PATH and gives up where there is none,
+    // although it will never start anything on another machine.
+    ::setenv("OMPI_MCA_plm", "isolated", 0);
+    MPI_Init(nullptr, nullptr);
+    MPI_Comm_dup(MPI_COMM_WORLD, &at_end_);
   }
   ~MpiSession() {
     int finalized = 0;
     MPI_Finalized(&finalized);
-    if (owner_ && !finalized) MPI_Finalize();
+    if (at_end_ == MPI_COMM_NULL || finalized) return;
+    MPI_Comm_free(&at_end_);
+    MPI_Finalize();
   }
+  MPI_Comm at_end() const { return at_end_; }
 
  private:
-  bool owner_ = false;
+  MPI_Comm at_end_ = MPI_COMM_NULL;  ///< null unless MPI was started here
 };
+
+const MpiSession& session() {
+  static const MpiSession the_session;
+  return the_session;
+}
 
 /// Instances that no engine uses, kept to be cleared and used again.
 std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
@@ -56,7 +75,9 @@ LAMMPS_NS::LAMMPS* start() {
 
 }  // namespace
 
-void ensure_mpi() { static MpiSession session; }
+void ensure_mpi() { session(); }
+
+MPI_Comm communicator_at_end() { return session().at_end(); }
 
 int mpi_rank() {
   ensure_mpi();
@@ -74,6 +95,7 @@ int mpi_ranks() {
 
 LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(log)) {
   ensure_mpi();
+  const CLocale decimal_point;
   errors_before_ = liggghts_activity().errors;
   if (idle().empty()) {
     enter("starting");
@@ -83,7 +105,7 @@ LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(l
     idle().pop_back();
     command("clear");
   }
-  command("log \"" + log_.string() + "\"");
+  open_log();
 }
 
 LiggghtsInstance::~LiggghtsInstance() {
@@ -96,7 +118,23 @@ void LiggghtsInstance::enter(std::string activity) const {
   liggghts_activity().log = log_;
 }
 
+/// What LIGGGHTS' command `log` does, whose parser knows no path with quotes, "$" or "&".
+void LiggghtsInstance::open_log() {
+  int reason = 0;
+  if (mpi_rank() == 0) {
+    if (instance_->logfile) std::fclose(instance_->logfile);
+    instance_->logfile = std::fopen(log_.c_str(), "w");
+    if (!instance_->logfile) reason = errno;
+    instance_->universe->ulogfile = instance_->logfile;
+  }
+  MPI_Bcast(&reason, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  if (reason == 0) return;
+  idle().emplace_back(instance_);
+  throw EngineError(fmt::format("LIGGGHTS cannot write its log {}: {}", log_.string(), std::strerror(reason)));
+}
+
 void LiggghtsInstance::command(const std::string& line) {
+  const CLocale decimal_point;
   enter("command '" + line + "'");
   instance_->input->one(line.c_str());
 }

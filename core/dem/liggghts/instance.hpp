@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <mpi.h>
+
 #include <filesystem>
 #include <string>
 
@@ -13,6 +15,7 @@ namespace flowslide {
 /// nothing to the screen. Errors inside LIGGGHTS arrive as `EngineError` and name the command and the log.
 class LiggghtsInstance {
  public:
+  /// Throws EngineError if the log cannot be written.
   explicit LiggghtsInstance(std::filesystem::path log);
   ~LiggghtsInstance();
   LiggghtsInstance(const LiggghtsInstance&) = delete;
@@ -27,6 +30,8 @@ class LiggghtsInstance {
   const std::filesystem::path& log() const { return log_; }
 
  private:
+  void open_log();
+
   std::filesystem::path log_;
   int errors_before_ = 0;
   LAMMPS_NS::LAMMPS* instance_ = nullptr;
@@ -34,6 +39,9 @@ class LiggghtsInstance {
 
 /// Starts MPI at first use and ends it with the process, unless the caller has done so. Safe to call again.
 void ensure_mpi();
+/// All ranks, for what they agree on at their end, apart from messages that a rank which failed has left unanswered.
+/// MPI_COMM_NULL where the caller has started MPI: its end is the caller's.
+MPI_Comm communicator_at_end();
 int mpi_rank();
 int mpi_ranks();
 

@@ -22,6 +22,7 @@
 #include <tuple>
 #include <utility>
 
+#include "dem/liggghts/c_locale.hpp"
 #include "dem/liggghts/commands.hpp"
 #include "dem/liggghts/pair_histories.hpp"
 #include "dem/liggghts/steering_fix.hpp"
@@ -80,6 +81,7 @@ LiggghtsEngine::~LiggghtsEngine() = default;
 
 void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settings) {
   refuse_sliding_faces(assembly.cell, {});
+  const CLocale decimal_point;
   settings_ = settings;
   motion_ = {};
   grains_ = assembly.size();
@@ -181,6 +183,7 @@ void LiggghtsEngine::run(std::int64_t steps) {
 }
 
 void LiggghtsEngine::advance(int steps) {
+  const CLocale decimal_point;
   instance_->enter(fmt::format("running {} steps", steps));
   LAMMPS_NS::Update& update = *(*instance_)->update;
   update.nsteps = steps;

@@ -28,14 +28,16 @@ TEST(Instance, AUsedInstanceComesBackClean) {
   EXPECT_EQ(LiggghtsInstance(testing::TempDir() + "one.log")->update->dt, fresh);
 }
 
-TEST(Instance, WritesItsLogAlsoWhereThePathHasBlanks) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "with blanks";
-  std::filesystem::create_directories(folder);
-  { LiggghtsInstance instance(folder / "a log.txt"); instance.command("print \"here it is\""); }
-  LiggghtsInstance other(testing::TempDir() + "one.log");  // takes the instance and closes the first log
-  std::ifstream log(folder / "a log.txt");
-  const std::string text(std::istreambuf_iterator<char>(log), {});
-  EXPECT_NE(text.find("here it is"), std::string::npos);
+TEST(Instance, WritesItsLogWhateverThePath) {
+  for (const char* name : {"with blanks", "a \" quote", "both \" and '", "$HOME ${x} #1 &", "M\xC3\xBCller"}) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
+    std::filesystem::create_directories(folder);
+    { LiggghtsInstance instance(folder / "a log.txt"); instance.command("print \"here it is\""); }
+    LiggghtsInstance other(testing::TempDir() + "one.log");  // takes the instance and closes the first log
+    std::ifstream log(folder / "a log.txt");
+    const std::string text(std::istreambuf_iterator<char>(log), {});
+    EXPECT_NE(text.find("here it is"), std::string::npos) << name;
+  }
 }
 
 TEST(Instance, SaysWhichLogCannotBeWritten) {
@@ -43,8 +45,9 @@ TEST(Instance, SaysWhichLogCannotBeWritten) {
     LiggghtsInstance instance("/dev/null/no/log.txt");
     FAIL() << "a log below a file";
   } catch (const EngineError& error) {
-    EXPECT_NE(std::string(error.what()).find("/dev/null/no/log.txt"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("/dev/null/no/log.txt: Not a directory"), std::string::npos);
   }
+  EXPECT_NO_THROW(LiggghtsInstance(testing::TempDir() + "one.log"));  // the instance is used again
 }
 
 TEST(Instance, KnowsItsPlaceAmongTheRanks) {
