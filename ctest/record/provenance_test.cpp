@@ -2,6 +2,7 @@
 #include "record/provenance.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -44,7 +45,7 @@ TEST(Provenance, KnowsTheRevisionInARepositoryAndOnlyThere) {
     EXPECT_TRUE(provenance.git_state == "clean" || provenance.git_state == "dirty") << provenance.git_state;
   } else {
     EXPECT_EQ(provenance.git_revision, "unknown");
-    EXPECT_EQ(provenance.git_state, "unknown");
+    EXPECT_EQ(provenance.git_state, "unknown: the source is no git checkout");
   }
 }
 
@@ -93,7 +94,7 @@ class BuildInformation : public ::testing::Test {
 TEST_F(BuildInformation, OfASourceArchiveIsUnknown) {
   const auto text = run();
   EXPECT_NE(text.find("git_revision = \"unknown\""), std::string::npos) << text;
-  EXPECT_NE(text.find("git_state = \"unknown\""), std::string::npos) << text;
+  EXPECT_NE(text.find("git_state = \"unknown: the source is no git checkout\""), std::string::npos) << text;
   EXPECT_NE(text.find("paper_doi = \"unknown\""), std::string::npos) << text;
   EXPECT_NE(text.find("compiler_flags = \"-D \\\"x\\\"\""), std::string::npos) << text;
 }
@@ -109,6 +110,25 @@ TEST_F(BuildInformation, TellsACleanTreeFromADirtyOne) {
   std::ofstream(tree_ / "new.cpp") << "int y;\n";
   text = run();
   EXPECT_NE(text.find("git_state = \"dirty\""), std::string::npos) << text;
+}
+
+TEST_F(BuildInformation, SaysWhyGitDoesNotTellARevision) {
+  std::filesystem::create_directory(tree_ / ".git");
+  const auto text = run();
+  EXPECT_NE(text.find("git_revision = \"unknown\""), std::string::npos) << text;
+  EXPECT_NE(text.find("git_state = \"unknown: git says: fatal: "), std::string::npos) << text;
+}
+
+TEST_F(BuildInformation, ReadsTheCheckoutOfAnotherUser) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+  const std::string git = "git -C " + tree_.string() + " -c user.name=a -c user.email=a@b ";
+  output_of("git init -q " + tree_.string() + " && " + git + "commit -q --allow-empty -m first");
+  const std::string revision = output_of(git + "rev-parse HEAD");
+  output_of("chown -R 65534 " + tree_.string());
+  ASSERT_NE(output_of("env -u SUDO_UID " + git + "rev-parse HEAD 2>&1").find("dubious ownership"), std::string::npos);
+  const auto text = run();
+  EXPECT_NE(text.find("git_revision = \"" + revision + "\""), std::string::npos) << text;
+  EXPECT_NE(text.find("git_state = \"clean\""), std::string::npos) << text;
 }
 
 TEST_F(BuildInformation, TakesTheDoiOfTheFirstReferenceOnly) {
