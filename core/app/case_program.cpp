@@ -278,12 +278,11 @@ Result PointRun::result(Series series, std::vector<Metric> metrics) const {
 }
 
 int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder) {
-  return run_main(
-      [&] {
-        const CommandLine options = parse(argc, argv, the_case.description());
-        return CaseProgram(the_case, options, folder, {argv, static_cast<std::size_t>(argc)}).run();
-      },
-      mpi_rank());
+  const auto program = [&] {
+    const CommandLine options = parse(argc, argv, the_case.description());
+    return CaseProgram(the_case, options, folder, {argv, static_cast<std::size_t>(argc)}).run();
+  };
+  return same_exit_code(run_main(program, mpi_rank()));
 }
 
 }  // namespace flowslide

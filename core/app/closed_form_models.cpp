@@ -67,14 +67,12 @@ std::unique_ptr<Sample> read_closed_form_sample(const Configuration& configurati
     sample.normal_stress = initial_normal_stress(slope);
     return sample;
   };
-  try {
+  return as_written_by_user("[" + name + "]", [&]() -> std::unique_ptr<Sample> {
     if (name == "elastic") return std::make_unique<ElasticSample>(in_balance(read_elastic(configuration)));
     if (name == "critical_state")
       return std::make_unique<CriticalStateSample>(in_balance(read_critical_state(configuration)));
-  } catch (const std::invalid_argument& error) {
-    throw ConfigurationError("[" + name + "]: " + error.what());
-  }
-  throw ConfigurationError("\"" + name + "\" is no closed-form sample; there are elastic and critical_state");
+    throw ConfigurationError("\"" + name + "\" is no closed-form sample; there are elastic and critical_state");
+  });
 }
 
 }  // namespace flowslide

@@ -175,7 +175,8 @@ std::string footer(const std::string& name) {
       "  {0} --scale paper --dry-run                 what the paper's size would do\n"
       "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   one value changed\n"
       "\nExit codes:\n"
-      "  0 ok, 2 configuration, 3 numerical failure, 4 a claim not met, 75 stopped but resumable, 130 interrupted\n",
+      "  0 ok, 1 standard output cannot be written, 2 configuration, 3 numerical failure, 4 a claim not met,\n"
+      "  70 a defect of the program: please report it, 75 stopped but resumable, 130 interrupted\n",
       name);
 }
 

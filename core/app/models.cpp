@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "app/error.hpp"
 #include "app/field_reader.hpp"
 #include "sample/health.hpp"
@@ -77,7 +75,7 @@ SlopeProperties read_slope(const Configuration& configuration) {
   slope.angle = configuration.quantity("slope.angle", dimension::angle, Range::between(0.0, 1.5));
   slope.hydraulic_conductivity =
       configuration.quantity("slope.hydraulic_conductivity", dimension::velocity, Range::not_negative());
-  validate(slope);
+  as_written_by_user("", [&] { validate(slope); });
   return slope;
 }
 
@@ -110,11 +108,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
     check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
                     sample.recipe.packing.smallest_diameter, sample.recipe.material);
-    try {
-      validate(sample.recipe);
-    } catch (const std::invalid_argument& error) {
-      throw ConfigurationError("sample " + name + ": " + error.what());
-    }
+    as_written_by_user("sample " + name, [&] { validate(sample.recipe); });
     samples.push_back(sample);
   }
   return samples;

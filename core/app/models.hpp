@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of a configuration that all cases share, as the structures that they stand for.
 #pragma once
+#include <fmt/format.h>
+
 #include "app/configuration.hpp"
 #include "app/tables.hpp"
 #include "sample/recipe.hpp"
@@ -23,7 +25,7 @@ struct SampleSpecification {
   bool allow_uneven = false;  ///< whether samples are taken that are not as even as a random packing (see unevenness)
 
   /// "e0_790_seed2": one for each sample of a configuration.
-  std::string label() const { return name + "_seed" + std::to_string(recipe.packing.seed); }
+  std::string label() const { return fmt::format("{}_seed{}", name, recipe.packing.seed); }
 };
 
 /// The tables [sample.<name>], made of [material] as [packing] and [preparation] say, to the stresses of the slope;

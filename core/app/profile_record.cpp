@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "grains/profiles.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 namespace {
@@ -68,8 +69,14 @@ void ProfileRecord::take(double strain, const DemSample& sample) {
   ProfileSums& sums = sums_.back();
   const Assembly assembly = sample.assembly();
   const EngineSettings& settings = sample.settings();
-  const Profiles now =
-      profiles(assembly, evaluate_contact_forces(assembly, settings.material, settings.time_step), plan_.sublayers);
+  const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
+  const Profiles now = [&] {
+    try {
+      return profiles(assembly, forces, plan_.sublayers);
+    } catch (const std::invalid_argument& empty) {  // a sublayer without solid
+      throw NumericalFailure(fmt::format("profiles at a shear strain of {}: {}", strain, empty.what()));
+    }
+  }();
   add(sums.velocity, now.velocity);
   add(sums.shear, now.shear_stress);
   add(sums.normal, now.normal_stress);
@@ -100,6 +107,8 @@ Series ProfileRecord::series() const {
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
   for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
     const ProfileSums& sums = sums_[i];
+    // Of a sample that stands still or bears nothing there are no shares. Those behind it would take its place.
+    if (sums.top_velocity == 0.0 || sums.sample_shear == 0.0 || sums.sample_normal == 0.0) break;
     const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i + 1); };
     const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
     series.columns.push_back({name("velocity"), "<v_x>/v_top", "1", "velocity over that of the top layer" + at,

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 
 #include "app/closed_form_models.hpp"
 #include "app/coupling_models.hpp"
+#include "app/error.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "app/slide_progress.hpp"
@@ -29,6 +31,16 @@ std::string row_text(const Series& rows) {
   return fmt::format("t {:.3f} s, strain {:.2f} %, tau {:.0f} Pa, sigma {:.0f} Pa", rows.axis.values.back(),
                      100.0 * rows.column("shear_strain").values.back(), rows.column("shear_stress").values.back(),
                      rows.column("normal_stress").values.back());
+}
+
+/// What a checkpoint does not fit is no defect: its sample may have been prepared anew since, by another engine.
+void restore(const SlidePoint& running, const std::function<void()>& all) {
+  try {
+    all();
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError(fmt::format("the checkpoint of {} does not fit: {}; begin the point anew with --afresh",
+                                         running.point.name, error.what()));
+  }
 }
 
 /// The tables first: a point is complete with its <point>.h5.
@@ -150,7 +162,7 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
   std::int64_t done = 0;
   const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
   if (const auto& found = run.checkpoints.found()) {
-    loaded.sample->restore(found->sample);
+    restore(running, [&] { loaded.sample->restore(found->sample); });
     records.series = found->so_far.series;
     done = loaded.grains->steps();
   }
@@ -175,9 +187,11 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
   if (const auto& found = run.checkpoints.found()) {
     if (!found->slide)
       throw CorruptFileError(fmt::format("the checkpoint of {} is not of a slide", running.point.name));
-    loaded.sample->restore(found->sample);
+    restore(running, [&] {
+      loaded.sample->restore(found->sample);
+      profiles.restore(found->slide->profiles);
+    });
     sliding.restore(found->slide->state);
-    profiles.restore(found->slide->profiles);
     record = {found->slide->spacing, running.grains, found->so_far.series, found->slide->next_time,
               found->slide->next_strain};
   }

@@ -8,6 +8,7 @@
 
 #include "app/coupling_models.hpp"
 #include "app/element_test_model.hpp"
+#include "app/error.hpp"
 #include "app/plan.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
@@ -68,7 +69,9 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   read.test = read_element_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
   check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
-  const auto steps = static_cast<double>(read.test->steps(read.settings.passing.time_step));
+  const auto steps = as_written_by_user("point " + read.name, [&] {
+    return static_cast<double>(read.test->steps(read.settings.passing.time_step));
+  });
   read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
                                        read.sample.recipe.packing.seed, read.test->shear_rate,
                                        100.0 * read.test->final_strain);
@@ -79,6 +82,22 @@ std::string describe(const SlidePoint& point, const std::string& scheme) {
   return fmt::format("sample {} (seed {}), {}, k = {:.3g} m/s, to {:.3g} s", point.sample.name,
                      point.sample.recipe.packing.seed, scheme, point.settings.slope.hydraulic_conductivity,
                      point.stop.end_time);
+}
+
+/// What several keys make together. Whatever is left to fail, fails by the numbers of the run.
+void check_together(const Tables& table, const SlidePoint& point) {
+  const SlideSettings& settings = point.settings;
+  as_written_by_user("point " + point.name, [&] {
+    validate(settings);
+    validate(point.stop);
+  });
+  if (seconds_per_grain_and_step(point.engine) == 0.0 || settings.residual == ResidualTreatment::stays) return;
+  const double driving = initial_shear_stress(settings.slope), prepared = point.sample.recipe.shear_stress;
+  if (std::abs(driving - prepared) <= largest_residual * initial_normal_stress(settings.slope)) return;
+  table.refuse("sample",
+               fmt::format("is prepared to tau = {:.4g} Pa, and the slope begins with {:.4g} Pa: they may differ by {} "
+                           "sigma_0 at most", prepared, driving, largest_residual),
+               "choose a sample that is not isotropic, or let the residual stay");
 }
 
 }  // namespace
@@ -120,6 +139,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.stop = read_stop(configuration, within(tables, "stop", {"stop"}));
   read.rows = read_row_spacing(configuration, within(tables, "rows", {"rows"}));
   read.profiles = read_profile_plan(configuration, table.key("profile_strains"));
+  check_together(table, read);
 
   read.point.description = describe(read, scheme);
   read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);

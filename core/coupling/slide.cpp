@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupling/slide.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "grains/require.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 
-Slide::Slide(const SlideSettings& settings, Sample& sample)
-    : settings_(settings),
-      sample_(sample),
-      driving_(settings.slope, settings.loading),
-      driving_normal_stress_(initial_normal_stress(settings.slope)),
-      sliding_(settings.slope, settings.time_step),
-      consolidation_(settings.slope, settings.consolidation, settings.time_step, settings.oedometric_modulus),
-      reading_(settings.residual, {driving_.initial(), driving_normal_stress_}, sample.stress()) {
+void validate(const SlideSettings& settings) {
+  validate(settings.loading);
+  Sliding(settings.slope, settings.time_step);
+  Consolidation(settings.slope, settings.consolidation, settings.time_step, settings.oedometric_modulus);
   validate(settings.rate);
   validate(settings.passing);
   if (settings.rest) validate(*settings.rest);
@@ -28,6 +27,17 @@ Slide::Slide(const SlideSettings& settings, Sample& sample)
             "Use a smaller dt_G: it sees only a part of this pulse.");
   require(std::isfinite(settings.initial_velocity), "initial velocity", settings.initial_velocity,
           "any finite value in m/s", "Use 0 to start at rest.");
+}
+
+Slide::Slide(const SlideSettings& settings, Sample& sample)
+    : settings_(settings),
+      sample_(sample),
+      driving_(settings.slope, settings.loading),
+      driving_normal_stress_(initial_normal_stress(settings.slope)),
+      sliding_(settings.slope, settings.time_step),
+      consolidation_(settings.slope, settings.consolidation, settings.time_step, settings.oedometric_modulus),
+      reading_(settings.residual, {driving_.initial(), driving_normal_stress_}, sample.stress()) {
+  validate(settings);
   state_.driving_stress = driving_.at(0.0);
   state_.stress = reading_.read(sample.stress());
   state_.velocity = state_.largest_velocity = settings.initial_velocity;
@@ -51,6 +61,16 @@ void Slide::step() {
   state_.driving_stress = driving_.at(state_.time);
   state_.velocity = sliding_.accelerate(state_.sliding, state_.driving_stress, state_.stress.shear);
   state_.largest_velocity = std::max(state_.largest_velocity, state_.velocity);
+  check_finite();
+}
+
+void Slide::check_finite() const {
+  const bool finite = std::isfinite(state_.velocity) && std::isfinite(state_.sliding.displacement) &&
+                      std::isfinite(state_.strain.norm()) && std::isfinite(state_.stress.shear + state_.stress.normal);
+  if (finite) return;
+  throw NumericalFailure(fmt::format("the slide is not finite at t = {} s: v = {} m/s, tau = {} Pa, sigma = {} Pa; use a "
+                                     "smaller time step than dt_G = {} s", state_.time, state_.velocity,
+                                     state_.stress.shear, state_.stress.normal, settings_.time_step));
 }
 
 void Slide::run_sample(LocalRun run) {

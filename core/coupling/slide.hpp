@@ -56,6 +56,10 @@ struct SlideState {
 /// sine over n steps is short by (pi/n)^2/12, 0.8 % of it for 10, and all of it for one.
 inline constexpr double least_steps_of_pulse = 10.0;
 
+/// Throws std::invalid_argument if a setting is out of its range, or a pulse is shorter than `least_steps_of_pulse`.
+/// Stability is the caller's: see sliding_time_step_limit and consolidation_time_step_limit.
+void validate(const SlideSettings& settings);
+
 /// A slope on its sample: Algorithm 1, every exchange the same on all ranks that share the sample.
 ///
 /// As printed, with v at half steps: x += dt v; epsilon by eq. 5; (gamma, epsilon) to the sample; its stress back;
@@ -66,12 +70,11 @@ inline constexpr double least_steps_of_pulse = 10.0;
 /// exp(omega^2 t_h t/4). dt_G >= n_accum dt_L avoids that at the rate of the slope.
 class Slide {
  public:
-  /// Begins at rest or at the initial velocity. `sample` must outlive it. Throws std::invalid_argument if a setting is
-  /// out of its range, a pulse shorter than `least_steps_of_pulse`, or the sample does not suit the slope. Stability is
-  /// the caller's: see sliding_time_step_limit and consolidation_time_step_limit.
+  /// Begins at rest or at the initial velocity. `sample` must outlive it. Throws as `validate`, and NumericalFailure if
+  /// the sample does not suit the slope.
   Slide(const SlideSettings& settings, Sample& sample);
 
-  /// One global step dt_G. Throws NumericalFailure.
+  /// One global step dt_G. Throws NumericalFailure, also when the slide is no longer finite.
   void step();
 
   const SlideState& state() const { return state_; }
@@ -86,6 +89,7 @@ class Slide {
 
  private:
   void run_sample(LocalRun run);
+  void check_finite() const;
 
   SlideSettings settings_;
   Sample& sample_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coupling/stress_reading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "grains/require.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 
@@ -13,12 +15,12 @@ StressReading::StressReading(ResidualTreatment treatment, const BasalStress& bal
       residual_{balance.shear - prepared.shear, balance.normal - prepared.normal},
       prepared_normal_(prepared.normal) {
   if (treatment == ResidualTreatment::stays) return;
-  require(prepared.normal > 0.0, "normal stress of the sample", prepared.normal, "> 0 Pa",
-          "Prepare it to the stresses of the slope.");
   const double share = std::max(std::abs(residual_.shear), std::abs(residual_.normal)) / balance.normal;
-  require(share <= largest_residual, "distance of the sample from the slope's stresses over its normal stress", share,
-          "at most " + std::to_string(largest_residual),
-          "Prepare the sample to tau_0 and sigma_0 of this slope (eqs 8 and 9).");
+  if (prepared.normal > 0.0 && share <= largest_residual) return;
+  throw NumericalFailure(fmt::format(
+      "the sample has tau = {:.6g} Pa and sigma = {:.6g} Pa, and the slope begins with {:.6g} Pa and {:.6g} Pa (eqs 8 and "
+      "9): they may differ by {} of the slope's normal stress at most; prepare the sample to the stresses of this slope",
+      prepared.shear, prepared.normal, balance.shear, balance.normal, largest_residual));
 }
 
 BasalStress StressReading::read(const CellStress& sample) const {

@@ -23,8 +23,8 @@ enum class ResidualTreatment {
 class StressReading {
  public:
   /// `balance` is in equilibrium with the slope, `prepared` the stress of the sample before it is strained. Unless the
-  /// residual stays, where any sample will do, throws std::invalid_argument if it exceeds `largest_residual` of the
-  /// normal stress, or the normal stress is not positive.
+  /// residual stays, where any sample will do, throws NumericalFailure if it exceeds `largest_residual` of the normal
+  /// stress, or the normal stress is not positive.
   StressReading(ResidualTreatment treatment, const BasalStress& balance, const CellStress& prepared);
 
   BasalStress read(const CellStress& sample) const;

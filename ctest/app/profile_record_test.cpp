@@ -7,7 +7,9 @@
 #include "app/messages.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
+#include "sample/failure.hpp"
 #include "sample/glued_layers.hpp"
+#include "support/touching_lattice.hpp"
 
 namespace flowslide {
 namespace {
@@ -40,16 +42,11 @@ TEST(ProfileRecord, ReadsItsPlan) {
       "the strains do not grow");
 }
 
-/// Loose grains between glued layers, moving as simple shear does.
+/// Grains between glued layers, moving as simple shear does.
 class ProfileRecordOfGrains : public testing::Test {
  protected:
   ProfileRecordOfGrains() : engine_(make_engine("native", "/dev/null")) {
-    LatticePacking recipe;
-    recipe.counts = {5, 5, 6};
-    Assembly assembly = lattice_packing(recipe);
-    assembly.cell.periodic = {true, true, false};
-    glue_layers(assembly, 2e-3);
-    sample_ = std::make_unique<DemSample>(*engine_, assembly, EngineSettings{Material{}, 1e-6, 0.0});
+    sample_ = std::make_unique<DemSample>(*engine_, touching_lattice(5, 6), EngineSettings{Material{}, 1e-6, 0.0});
     sample_->start_linear_velocity_field(2.0);
     sample_->strain({{2.0, 0.0}, 1, 1e-6});
   }
@@ -82,7 +79,7 @@ TEST_F(ProfileRecordOfGrains, GoesOnFromWhatItHad) {
     }
     EXPECT_EQ(second.series().columns.size(), 6U);
     ASSERT_EQ(second.sums().size(), whole.sums().size());
-    for (std::size_t i = 0; i < whole.sums().size(); ++i) {  // shares of a stress that is 0 are no numbers
+    for (std::size_t i = 0; i < whole.sums().size(); ++i) {
       EXPECT_EQ(second.sums()[i].velocity, whole.sums()[i].velocity) << before.size();
       EXPECT_EQ(second.sums()[i].top_velocity, whole.sums()[i].top_velocity);
       EXPECT_EQ(second.sums()[i].snapshots, whole.sums()[i].snapshots);
@@ -108,6 +105,34 @@ TEST_F(ProfileRecordOfGrains, GivesVelocityAsAShareOfTheTop) {
   for (std::size_t layer = 0; layer < 3; ++layer)
     EXPECT_NEAR(velocity[layer], series.axis.values[layer], half_a_grain);
   EXPECT_GT(linearity(series, "velocity_1"), 0.99);
+}
+
+/// Loose grains between glued layers.
+Assembly gas() {
+  LatticePacking recipe;
+  recipe.counts = {5, 5, 6};
+  Assembly assembly = lattice_packing(recipe);
+  assembly.cell.periodic = {true, true, false};
+  glue_layers(assembly, 2e-3);
+  return assembly;
+}
+
+TEST(ProfileRecord, LeavesOutProfilesOfASampleThatBearsNothing) {
+  const auto engine = make_engine("native", "/dev/null");
+  DemSample sample(*engine, gas(), EngineSettings{Material{}, 1e-6, 0.0});
+  ProfileRecord record({3, 1, 0.0, {0.0, 0.1}});
+  record.take(0.0, sample);
+  record.take(0.1, sample);
+  EXPECT_EQ(record.sums().size(), 2U);
+  EXPECT_TRUE(record.series().columns.empty());  // a share of 0 is no number, and no file takes it
+}
+
+TEST(ProfileRecord, FailsWithASublayerThatHoldsNoSolid) {
+  const auto engine = make_engine("native", "/dev/null");
+  DemSample sample(*engine, gas(), EngineSettings{Material{}, 1e-6, 0.0});
+  ProfileRecord record({200, 1, 0.0, {0.5}});
+  EXPECT_CONTAINS(message_of<NumericalFailure>([&] { record.take(0.5, sample); }),
+                  "profiles at a shear strain of 0.5: solid volume of a sublayer is 0; allowed: > 0 m^3. Use fewer");
 }
 
 }  // namespace

@@ -175,5 +175,28 @@ TEST(SlidePoint, RefusesWhatIsNotThere) {
                   "it must be at least 0 m/s");
 }
 
+TEST(SlidePoint, RefusesWhatItsKeysMakeTogetherBeforeAnythingRuns) {
+  const auto complaint = [](const std::string& point, const std::string& engine = "native") {
+    return message_of<ConfigurationError>([&] {
+      read(slide_case_text() + "[point.bad]\nfigures = \"12\"\nsample = \"loose\"\n" + point, "bad", 0, engine);
+    });
+  };
+  EXPECT_CONTAINS(complaint("scheme = \"RD\"\nloading.duration = \"0.9 ms\"\n"),
+                  "point bad: duration of the pulse in dt_G is 9");
+  EXPECT_CONTAINS(complaint("final_strain = 1\nshear_rate = \"1e-14 1/s\"\nrows = 10\n"),
+                  "point bad: a strain of 1 at the rate 1e-14 1/s");
+}
+
+TEST(SlidePoint, NeedsASampleThatIsPreparedToTheStressesOfItsSlope) {
+  std::string text = slide_case_text();
+  text.replace(text.find("isotropic = false"), 17, "isotropic = true");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read(text, "RD"); }),
+                  "is prepared to tau = 0 Pa, and the slope begins with 2650 Pa: they may differ by 0.05 sigma_0 at most; "
+                  "choose a sample that is not isotropic, or let the residual stay");
+  EXPECT_NO_THROW(read(text, "RD", 0, "elastic"));  // in balance with any slope
+  text.replace(text.find("residual = \"fades\""), 18, "residual = \"stays\"");
+  EXPECT_NO_THROW(read(text, "RD"));
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "elastic_slide.hpp"
 #include "sample/critical_state_sample.hpp"
+#include "sample/failure.hpp"
 
 namespace flowslide {
 namespace {
@@ -199,6 +201,7 @@ TEST(Slide, RefusesSettingsThatDoNotFit) {
     SlideSettings settings = pulsed();
     change(settings);
     ElasticSample sample(elastic_for(SlopeProperties{}));
+    EXPECT_THROW(validate(settings), std::invalid_argument);  // before there is a sample
     EXPECT_THROW(Slide(settings, sample), std::invalid_argument);
   };
   refuse([](SlideSettings& s) { s.time_step = 0.0; });
@@ -209,7 +212,31 @@ TEST(Slide, RefusesSettingsThatDoNotFit) {
   refuse([](SlideSettings& s) { s.rate = ConstantInertialNumber{0.0, 0.0, {}}; });
   refuse([](SlideSettings& s) { s.oedometric_modulus = 0.0; });
   refuse([](SlideSettings& s) { s.initial_velocity = std::nan(""); });
-  refuse([](SlideSettings& s) { s.slope.angle = 0.3; });  // the sample was prepared at 5 degrees
+  EXPECT_NO_THROW(validate(pulsed()));
+}
+
+TEST(Slide, RefusesTheSampleOfAnotherSlope) {
+  SlideSettings settings = pulsed();
+  settings.slope.angle = 0.3;
+  ElasticSample sample(elastic_for(SlopeProperties{}));  // at 5 degrees
+  EXPECT_NO_THROW(validate(settings));
+  EXPECT_THROW(Slide(settings, sample), NumericalFailure);
+}
+
+TEST(Slide, StopsWhenItIsNoLongerFinite) {
+  SlideSettings settings = pulsed();
+  settings.loading = NoChange{};
+  settings.initial_velocity = 0.1;
+  settings.time_step = 0.1;  // far beyond the limit of stability, some 2e-3 s: the swing grows without end
+  ElasticSample sample(elastic_for(settings.slope));
+  Slide slide(settings, sample);
+  try {
+    for (int n = 0; n < 100000; ++n) slide.step();
+    FAIL() << "v = " << slide.state().velocity;
+  } catch (const NumericalFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("the slide is not finite at t = "), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("use a smaller time step than dt_G = 0.1 s"), std::string::npos);
+  }
 }
 
 /// An elastic sample that notes which runs were to be measured.

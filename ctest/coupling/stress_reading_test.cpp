@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include "sample/failure.hpp"
 
 namespace flowslide {
 namespace {
@@ -43,9 +43,9 @@ TEST(StressReading, StayingIsThatOfIncrementsAndLeavesStrengthBehind) {
 TEST(StressReading, RefusesASampleOfAnotherSlope) {
   const CellStress isotropic{28340.0, 0.0, 0.0, 28340.0, 28340.0};
   for (const auto treatment : {ResidualTreatment::left_out, ResidualTreatment::fades}) {
-    EXPECT_THROW(StressReading(treatment, balance, isotropic), std::invalid_argument);
-    EXPECT_THROW(StressReading(treatment, balance, liquefied), std::invalid_argument);
-    EXPECT_THROW(StressReading(treatment, balance, halved), std::invalid_argument);
+    EXPECT_THROW(StressReading(treatment, balance, isotropic), NumericalFailure);
+    EXPECT_THROW(StressReading(treatment, balance, liquefied), NumericalFailure);
+    EXPECT_THROW(StressReading(treatment, balance, halved), NumericalFailure);
     EXPECT_NO_THROW(StressReading(treatment, {0.0, 28340.0}, isotropic));
   }
   EXPECT_NO_THROW(StressReading(ResidualTreatment::stays, balance, isotropic));

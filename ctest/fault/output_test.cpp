@@ -56,5 +56,40 @@ TEST_F(Output, OnAFullFileSystem) {
   EXPECT_EQ(::umount2(out("out").c_str(), MNT_DETACH), 0);
 }
 
+/// In the child, before the program takes its place.
+void give_full_output() { ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO); }
+
+TEST_F(Output, ThatIsPrintedNowhereIsAnError) {
+  ASSERT_EQ(run("out", {"--engine", "elastic", "--point", "RD"}), 0) << said_;
+  for (const Words& options : {Words{"--help"}, {"--version"}, {"--list"}, {"--list", "--json"}, {"--dry-run"},
+                               {"--status"}, {"--status", "--json"}, {"--check"}, {"--so-far"}}) {
+    Words words{"--engine", "elastic"};
+    words.insert(words.end(), options.begin(), options.end());
+    ASSERT_EQ(run("out", words), 0) << options[0] << "\n" << said_;
+    EXPECT_EQ(run("out", words, give_full_output), 1) << options[0];
+    EXPECT_CONTAINS(said_, "flowslide: standard output cannot be written: No space left on device");
+  }
+}
+
+TEST_F(Output, NeedsNoEnvironment) {
+  const std::string folder = scratch_.path().string();
+  const auto bare = [&] {
+    ::clearenv();
+    ::setenv("RESTARTABLE_CASE", folder.c_str(), 1);
+  };
+  for (const char* option : {"--help", "--version", "--list"}) {
+    EXPECT_EQ(run("out", {option}, bare), 0) << said_;
+    EXPECT_FALSE(said_.empty());
+  }
+  EXPECT_EQ(run("out", {"--engine", "elastic", "--point", "RD"}, bare), 0) << said_;
+}
+
+TEST_F(Output, OfSlidesThatBlowUpIsTheFaultOfTheNumbers) {
+  EXPECT_EQ(run("out", {"--engine", "elastic", "--point", "RD", "--allow-unstable", "--set", "coupling.time_step=0.1 s",
+                        "--set", "stop.end_time=1e6 s", "--set", "rows.row_strain=1e6"}),
+            3);
+  EXPECT_CONTAINS(said_, "flowslide: the slide is not finite at t = ");
+}
+
 }  // namespace
 }  // namespace flowslide
