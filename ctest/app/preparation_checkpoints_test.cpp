@@ -46,6 +46,10 @@ TEST_F(PreparationCheckpointsTest, GivesBackEveryBit) {
   EXPECT_EQ(found->stress.lateral_x, 27e3);
   EXPECT_EQ(found->stress.lateral_y, 29e3);
   expect_same_bits(found->assembly, example_assembly());
+  PreparationState mixing = state(2460);
+  mixing.stage = 0;
+  ASSERT_TRUE(kept.keep(mixing));
+  EXPECT_EQ(find()->stage, 0);
   kept.remove();
   EXPECT_FALSE(find());
 }

@@ -49,6 +49,16 @@ TEST_F(ReportPage, SaysWhereRunsComeFrom) {
   EXPECT_THAT(html, HasSubstr("cost: 1 min 15 s of processor time, 1 min 00 s predicted"));
 }
 
+TEST_F(ReportPage, TellsTheHealthOfTheSampleOfARun) {
+  EXPECT_THAT(page(), Not(HasSubstr("e0 0.7823")));
+  Result result = example_result();
+  result.metrics = {{"initial_void_ratio", 0.7823, "1", ""},
+                    {"initial_bulk_void_ratio", 0.767, "1", ""},
+                    {"mechanical_coordination_number", 4.6, "1", ""}};
+  write_result(folder_ / "results/shear/quick/mixed.h5", result);
+  EXPECT_THAT(page(), HasSubstr("e0 0.7823 (inner 0.7670)"));
+}
+
 TEST_F(ReportPage, NamesCommandsAndWhatIsMissing) {
   const std::string html = page("--scale paper");
   EXPECT_THAT(html, HasSubstr("./reproduce fig03 fig04 --scale paper<"));
