@@ -13,21 +13,22 @@ do for [w = 2:ways_drawn] { curves = curves.sprintf(" %d 1 %d 4", w, w) }
 curves_drawn = words(curves)/2
 w_of(k) = int(word(curves, 2*k - 1))
 i_of(k) = int(word(curves, 2*k))
-file(c, k) = way(w_of(k))."_".level(c)."_".word(steps, i_of(k)).".dat"
-tables = ""
-do for [c = 1:2] {
-  tables = tables." DEM_".level(c).".dat DEM_".level(c)."_over_shear_strain.dat"
-  do for [k = 1:curves_drawn] { tables = tables." ".file(c, k) }
-}
+slide_name(c, w, i) = way(w)."_".level(c)."_".word(steps, i)
+file(c, k) = slide_name(c, w_of(k), i_of(k)).".dat"
+slides = ""
+do for [c = 1:2] { do for [k = 1:curves_drawn] { slides = slides." ".file(c, k) } }
+alone_tables = "DEM_low.dat DEM_high.dat"; spread_tables = "DEM_low_over_shear_strain.dat DEM_high_over_shear_strain.dat"
+tables = alone_tables." ".spread_tables." legend.dat".slides
 load here."style.gp"
-load here."slides.gp"
+eval columns("", slides, "time velocity shear_strain shear_stress normal_stress")
+eval columns("alone_", alone_tables, "shear_strain shear_stress normal_stress")
+eval columns("spread_", spread_tables, "shear_strain shear_stress_lowest shear_stress_highest")
 
 array colour[4] = [orange, green, blue, purple]
-array label[4] = ["10^{−3} s", "10^{−4} s", "10^{−5} s", "10^{−6} s"]
 number(c) = c == 1 ? "10^{−4}" : "10^{−2}"
 slide(c, k) = data(file(c, k))
-alone(c) = data("DEM_".level(c).".dat")
-spread(c) = data("DEM_".level(c)."_over_shear_strain.dat")
+alone(c) = data(word(alone_tables, c))
+spread(c) = data(word(spread_tables, c))
 array letters[6] = ["A", "B", "C", "D", "E", "F"]
 title(row, c, what) = panel(letters[2*row + c - 2], what.", {/:Italic I} = ".number(c))
 
@@ -45,9 +46,10 @@ do for [format in "png pdf"] {
     plot for [k = 1:curves_drawn] slide(c, k) \
            using (kilo * column(normal_stress)):(kilo * column(shear_stress)) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
-         alone(c) using (kilo * column(column_normal)):(kilo * column(column_shear)) \
+         alone(c) using (kilo * column(alone_normal_stress)):(kilo * column(alone_shear_stress)) \
            with lines linewidth 1.2 dashtype 2 linecolor rgb black title "pure DEM", \
-         for [i = 1:4] keyentry with lines linewidth 1.2 linecolor rgb colour[i] title "{/:Italic Δt_G} = ".label[i]
+         for [i = 1:4] keyentry with lines linewidth 1.2 linecolor rgb colour[i] \
+           title "{/:Italic Δt_G} = ".label_of(slide_name(1, 1, i))." s"
   }
 
   set xlabel "shear strain {/:Italic γ} (%)"
@@ -55,12 +57,13 @@ do for [format in "png pdf"] {
     set title title(2, c, "stress-strain response")
     set xrange [0:(c == 1 ? 2 : 5)]
     if (c == 1) { set key right top noreverse Right } else { unset key }
-    plot spread(c) using (percent * column(1)):(kilo * column(6)):(kilo * column(7)) \
+    plot spread(c) using (percent * column(spread_shear_strain)):(kilo * column(spread_shear_stress_lowest)): \
+           (kilo * column(spread_shear_stress_highest)) \
            with filledcurves linecolor rgb grey title "pure DEM, all samples", \
          for [k = 1:curves_drawn] slide(c, k) \
            using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
-         alone(c) using (percent * column(column_strain)):(kilo * column(column_shear)) \
+         alone(c) using (percent * column(alone_shear_strain)):(kilo * column(alone_shear_stress)) \
            with lines linewidth 1.2 dashtype 2 linecolor rgb black notitle, \
          for [w = 1:ways_drawn] keyentry with lines linewidth 1.2 dashtype dash(w) linecolor rgb black title way_label[w]
   }

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 2: the sample (A) at the end of preparation, (B) during shear; the glued layers are dark.
-# Tables: index 0 circles from back to front: across, up, radius (m), shade (0 dark to 1 bright), role (0 free, else
-# glued); index 1 and 2 the edges of the cell in front and behind: across, up (m).
+# Tables: index 0 circles from back to front: radius (m), shade (0 dark to 1 bright), role (0 free, else glued); index 1
+# and 2 the edges of the cell in front and behind; of all, where they stand: across, up (m).
 tables = "fig02_before.dat fig02_during.dat"
 command = "./reproduce fig02"
 script = ARG0; folder = ARG1; picture = ARG2
-load script[1:strlen(script) - strlen("fig02.gp")]."style.gp"
+here = script[1:strlen(script) - strlen("fig02.gp")]
+load here."style.gp"
+eval columns("", tables, "across up radius shade role")
 
 array title[2] = ["end of preparation", "during shear"]
 # Free grains light, glued ones dark, both brighter towards their highlight.
@@ -16,11 +18,11 @@ rgb(shade, role) = 0x010101 * grey_level(shade, role)
 left = 1e9; right = -1e9; bottom = 1e9; top = -1e9
 do for [table in tables] {
   do for [block = 0:2] {
-    radius(i) = block == 0 ? column(i) : 0
-    stats data(table) index block using ($1 - radius(3)) name "L" nooutput
-    stats data(table) index block using ($1 + radius(3)) name "R" nooutput
-    stats data(table) index block using ($2 - radius(3)) name "B" nooutput
-    stats data(table) index block using ($2 + radius(3)) name "T" nooutput
+    reach(i) = block == 0 ? column(i) : 0
+    stats data(table) index block using (column(across) - reach(radius)) name "L" nooutput
+    stats data(table) index block using (column(across) + reach(radius)) name "R" nooutput
+    stats data(table) index block using (column(up) - reach(radius)) name "B" nooutput
+    stats data(table) index block using (column(up) + reach(radius)) name "T" nooutput
     left = left < L_min ? left : L_min; right = right > R_max ? right : R_max
     bottom = bottom < B_min ? bottom : B_min; top = top > T_max ? top : T_max
   }
@@ -38,9 +40,10 @@ set style fill solid noborder
 do for [i = 1:2] {
   set title panel(word("A B", i), title[i])
   grains = data(word(tables, i))
-  plot grains index 2 using 1:2 with lines linewidth 0.6 linecolor rgb grey notitle, \
-       grains index 0 using 1:2:3:(rgb($4, $5)) with circles fillcolor rgb variable notitle, \
-       grains index 1 using 1:2 with lines linewidth 0.6 linecolor rgb black notitle
+  plot grains index 2 using (column(across)):(column(up)) with lines linewidth 0.6 linecolor rgb grey notitle, \
+       grains index 0 using (column(across)):(column(up)):(column(radius)):(rgb(column(shade), column(role))) \
+         with circles fillcolor rgb variable notitle, \
+       grains index 1 using (column(across)):(column(up)) with lines linewidth 0.6 linecolor rgb black notitle
 }
 unset multiplot
 set output

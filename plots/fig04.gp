@@ -4,18 +4,20 @@ points = "I_1e-4 I_2e-2"
 tables = "I_1e-4.dat I_2e-2.dat legend.dat"
 command = "./reproduce fig04"
 script = ARG0; folder = ARG1; picture = ARG2; beside = ARG3
-load script[1:strlen(script) - strlen("fig04.gp")]."style.gp"
+here = script[1:strlen(script) - strlen("fig04.gp")]
+load here."style.gp"
+eval columns("", "I_1e-4.dat I_2e-2.dat", \
+  "shear_strain bagi_shear_stress bagi_normal_stress nicot_shear_stress nicot_normal_stress")
 
 array colour[2] = [blue, vermillion]
 array mark[2] = [6, 4]
-bagi_shear = 8; bagi_normal = 9; nicot_shear = 10; nicot_normal = 11
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
 # Some thirty marks a curve, so that the line below stays visible.
 array step[2]
 do for [i = 1:2] {
-  stats table(i) using 1 nooutput
-  step[i] = STATS_records < 30 ? 1 : int(STATS_records / 30)
+  records = rows(word(points, i).".dat")
+  step[i] = records < 30 ? 1 : int(records / 30)
 }
 
 do for [format in "png pdf"] {
@@ -29,22 +31,22 @@ do for [format in "png pdf"] {
   set xrange [0:30 < *]; set yrange [0:*]
   set offsets 0, 0, graph 0.25, 0   # room for the key
   set key at graph 0.02, 1 left top Left reverse
-  plot for [i = 1:2] table(i) using (kilo * column(bagi_normal)):(kilo * column(bagi_shear)) \
+  plot for [i = 1:2] table(i) using (kilo * column(bagi_normal_stress)):(kilo * column(bagi_shear_stress)) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
-       for [i = 1:2] other_table(i) using (kilo * column(bagi_normal)):(if_others * kilo * column(bagi_shear)) \
+       for [i = 1:2] other_table(i) using (kilo * column(bagi_normal_stress)):(if_others * kilo * column(bagi_shear_stress)) \
          with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : "", \
-       for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal)):(kilo * column(nicot_shear)) \
+       for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal_stress)):(kilo * column(nicot_shear_stress)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
 
   set title panel("B", "stress-strain response")
   set xlabel "shear strain {/:Italic γ} (%)"
   set xrange [0:*] noextend
   unset key
-  plot for [i = 1:2] table(i) using (percent * column(column_strain)):(kilo * column(bagi_shear)) \
+  plot for [i = 1:2] table(i) using (percent * column(shear_strain)):(kilo * column(bagi_shear_stress)) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
-       for [i = 1:2] other_table(i) using (percent * column(column_strain)):(if_others * kilo * column(bagi_shear)) \
+       for [i = 1:2] other_table(i) using (percent * column(shear_strain)):(if_others * kilo * column(bagi_shear_stress)) \
          with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:2] table(i) every step[i] using (percent * column(column_strain)):(kilo * column(nicot_shear)) \
+       for [i = 1:2] table(i) every step[i] using (percent * column(shear_strain)):(kilo * column(nicot_shear_stress)) \
          with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
 
   unset multiplot

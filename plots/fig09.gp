@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 9: the liquefied state under a driving stress that is held: (A) normal stress, (B) friction tau/sigma, median
 # and range of the replicates, with the mean mu_ss beyond 50 % strain as a line.
-tables = "RD_hold_over_shear_strain.dat RI_hold_over_shear_strain.dat RD_hold_friction_band.dat"
-tables = tables." RI_hold_friction_band.dat steady_friction.dat"
+bands = "RD_hold_over_shear_strain.dat RI_hold_over_shear_strain.dat"
+frictions = "RD_hold_friction_band.dat RI_hold_friction_band.dat"
+tables = bands." ".frictions." steady_friction.dat"
 command = "./reproduce fig09"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig09.gp")]
 load here."style.gp"
-load here."slides.gp"
+eval columns("", bands, "shear_strain normal_stress_median normal_stress_lowest normal_stress_highest")
+eval columns("", frictions, "friction_median friction_lowest friction_highest")
+eval columns("friction_", frictions, "shear_strain")
+eval columns("steady_", "steady_friction.dat", "slide friction")
 
 schemes = "RD RI"
 array colour[2] = [vermillion, blue]
 array label[2] = ["rate-dependent (RD)", "rate-independent (RI)"]
-band(i) = data(word(schemes, i)."_hold_over_shear_strain.dat")
-friction(i) = data(word(schemes, i)."_hold_friction_band.dat")
-s = over_x(normal_stress, shear_strain)
+band(i) = data(word(bands, i))
+mu(i) = data(word(frictions, i))
 steady_from = 50   # %, where the paper sees a steady state
 last = 150
 
@@ -23,28 +26,33 @@ do for [format in "png pdf"] {
   set output picture.".".format
   set multiplot layout 1, 2
   set xlabel "shear strain {/:Italic γ} (%)"
-  set xrange [0:*] noextend
 
   set title panel("A", "normal stress")
   set ylabel "normal stress {/:Italic σ} (kPa)" offset 1
+  set xrange [0:*] noextend
+  eval frame(bands, "set xrange [0:100]")
   set logscale y; set format y "10^{%T}"; set yrange [1e-4:300]
   set key right top Left reverse
-  plot for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s + 1)):(kilo * column(s + 2)) \
-         with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using (percent * column(1)):(kilo * column(s)) \
+  plot for [i = 1:2] band(i) using (percent * column(shear_strain)):(kilo * column(normal_stress_lowest)): \
+         (kilo * column(normal_stress_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] band(i) using (percent * column(shear_strain)):(kilo * column(normal_stress_median)) \
          with lines linewidth 1.2 linecolor rgb colour[i] title label[i]
   unset logscale y; set format y "% h"
 
   set title panel("B", "friction")
   set ylabel "friction {/:Italic τ}/{/:Italic σ}"
+  set xrange [0:*] noextend
+  eval frame(frictions, "set xrange [0:100]")
   set yrange [0:0.8]
   set arrow 1 from first steady_from, graph 0 to first steady_from, graph 1 \
     nohead linewidth 0.8 dashtype 3 linecolor rgb grey
   set key right bottom Right noreverse
-  plot for [i = 1:2] friction(i) using (percent * column(1)):3:4 with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] friction(i) using (percent * column(1)):2 \
+  plot for [i = 1:2] mu(i) using (percent * column(friction_shear_strain)):(column(friction_lowest)): \
+         (column(friction_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] mu(i) using (percent * column(friction_shear_strain)):(column(friction_median)) \
          with lines linewidth 0.8 linecolor rgb colour[i] notitle, \
-       for [i = 1:2] data("steady_friction.dat") using (strcol(1) eq word(schemes, i)."_hold" ? steady_from : NaN):2:\
+       for [i = 1:2] data("steady_friction.dat") \
+         using (strcol(steady_slide) eq word(schemes, i)."_hold" ? steady_from : NaN):(column(steady_friction)): \
          (last - steady_from):(0) with vectors nohead linewidth 2 linecolor rgb colour[i] \
          title word(schemes, i).", {/:Italic μ}_{ss}"
   unset arrow 1

@@ -11,12 +11,22 @@ table = data("RD_ramp_profiles_band.dat")
 profiles = 4
 array colour[profiles] = [black, sky, orange, vermillion]
 array mark[profiles] = [7, 6, 4, 8]
+quantities = "velocity shear_stress normal_stress"
 array shown[3] = ["velocity", "shear stress", "normal stress"]
 array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", \
   "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
-# Behind the height, per profile: velocity, shear stress, normal stress, each as median, lowest, highest.
-quantity(i, q) = 2 + 9 * (i - 1) + 3 * (q - 1)
+eval columns("", "RD_ramp_profiles_band.dat", "relative_height")
+# A run that ends before the strain of a profile has none.
+names = ""
+do for [what in quantities] {
+  do for [i = 1:profiles] {
+    do for [of in "median lowest highest"] { names = names.sprintf(" %s_%d_%s", what, i, of) }
+  }
+}
+eval optional_columns("", "RD_ramp_profiles_band.dat", names)
+number(q, i, of) = value(sprintf("%s_%d_%s", word(quantities, q), i, of))
 inner(q) = q == 1 ? 0 : 1   # the outer sublayers lie partly behind the glued layers: no stress of theirs is shown
+last_layer = rows("RD_ramp_profiles_band.dat") - 1
 within(value) = value < -0.5 ? -0.5 : value > 2.5 ? 2.5 : value   # what leaves the frame, leaves it by this
 
 do for [format in "png pdf"] {
@@ -33,10 +43,12 @@ do for [format in "png pdf"] {
     set xlabel share[q]
     set xrange [0:(q == 1 ? 1 : 2)]
     set arrow 1 from first (q == 1 ? 0 : 1), 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
-    plot for [i = 1:profiles] table every ::inner(q)::9 - inner(q) using (within(column(quantity(i, q)))):1:\
-           (within(column(quantity(i, q) + 1))):(within(column(quantity(i, q) + 2))) \
+    plot for [i = 1:profiles] table every ::inner(q)::last_layer - inner(q) \
+           using (within(column(number(q, i, "median")))):(column(relative_height)): \
+           (within(column(number(q, i, "lowest")))):(within(column(number(q, i, "highest")))) \
            with xerrorbars linewidth 0.6 pointtype mark[i] pointsize 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:profiles] table every ::inner(q)::9 - inner(q) using (within(column(quantity(i, q)))):1 \
+         for [i = 1:profiles] table every ::inner(q)::last_layer - inner(q) \
+           using (within(column(number(q, i, "median")))):(column(relative_height)) \
            with linespoints linewidth 1.2 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] \
            title label_of(sprintf("profile_%d", i))
     unset arrow 1

@@ -1,21 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 11: runout after a pulse of 3 kPa, RD against RI: (A) velocity, (B) excess pore pressure, (C) stress path
 # of the first sample (the inset of the paper).
-tables = "RD_3kPa_over_displacement.dat RI_3kPa_over_displacement.dat RD_3kPa_windows.dat RI_3kPa_windows.dat"
-tables = tables." RD_3kPa.dat RI_3kPa.dat"
+bands = "RD_3kPa_over_displacement.dat RI_3kPa_over_displacement.dat"
+wide_bands = "RD_3kPa_windows.dat RI_3kPa_windows.dat"
+slides = "RD_3kPa.dat RI_3kPa.dat"
+tables = bands." ".wide_bands." ".slides
 command = "./reproduce fig11"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig11.gp")]
 load here."style.gp"
-load here."slides.gp"
+eval columns("band_", bands, "displacement velocity_median velocity_lowest velocity_highest")
+eval columns("wide_", wide_bands, "displacement pore_pressure_median pore_pressure_lowest pore_pressure_highest")
+eval columns("", slides, "shear_strain shear_stress normal_stress")
 
-schemes = "RD RI"
 array colour[2] = [vermillion, blue]
 array label[2] = ["rate-dependent (RD)", "rate-independent (RI)"]
-band(i) = data(word(schemes, i)."_3kPa_over_displacement.dat")
-wide(i) = data(word(schemes, i)."_3kPa_windows.dat")
-one(i) = data(word(schemes, i)."_3kPa.dat")
-v = over_x(velocity, displacement); p = over_x(pore_pressure, displacement)
+band(i) = data(word(bands, i))
+wide(i) = data(word(wide_bands, i))
+one(i) = data(word(slides, i))
 
 do for [format in "png pdf"] {
   eval terminal(format, 19, 6.2)
@@ -29,23 +31,26 @@ do for [format in "png pdf"] {
   set yrange [0:*]
   set offsets 0, 0, graph 0.2, 0   # room for the key
   set key left top Left reverse
-  plot for [i = 1:2] band(i) using 1:(column(v + 1)):(column(v + 2)) \
-         with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using 1:(column(v)) with lines linewidth 1.4 linecolor rgb colour[i] title label[i]
+  eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
+  plot for [i = 1:2] band(i) using (column(band_displacement)):(column(band_velocity_lowest)): \
+         (column(band_velocity_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] band(i) using (column(band_displacement)):(column(band_velocity_median)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] title label[i]
 
   set offsets
   set title panel("B", "excess pore pressure")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   unset key
-  plot for [i = 1:2] wide(i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
-         with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] wide(i) using 1:(kilo * column(p)) with lines linewidth 1.4 linecolor rgb colour[i] notitle
+  plot for [i = 1:2] wide(i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_lowest)): \
+         (kilo * column(wide_pore_pressure_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] wide(i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] notitle
 
   set title panel("C", "stress path to liquefaction")
   set xlabel "normal stress {/:Italic σ} (kPa)"; set ylabel "shear stress {/:Italic τ} (kPa)"
   set xrange [0:30]; set yrange [0:6]
-  plot for [i = 1:2] one(i) using (column(shear_strain) < 0.1 ? kilo * column(normal_stress) : NaN):\
+  plot for [i = 1:2] one(i) using (column(shear_strain) < 0.1 ? kilo * column(normal_stress) : NaN): \
     (kilo * column(shear_stress)) with lines linewidth 1.2 linecolor rgb colour[i] notitle
   unset multiplot
   set output

@@ -2,20 +2,25 @@
 # Figure 12: pulses of three amplitudes, RD (solid) and RI (dashed) with the bands of their replicates: (A) velocity,
 # (B) excess pore pressure.
 amplitudes = "3 4 5"
-tables = ""
-do for [a in amplitudes] {
-  do for [s in "RD RI"] { tables = tables." ".s."_".a."kPa_over_displacement.dat ".s."_".a."kPa_windows.dat" }
+slide(scheme, i) = scheme."_".word(amplitudes, i)."kPa"
+bands = ""; wide_bands = ""
+do for [i = 1:3] {
+  do for [s in "RD RI"] {
+    bands = bands." ".slide(s, i)."_over_displacement.dat"
+    wide_bands = wide_bands." ".slide(s, i)."_windows.dat"
+  }
 }
+tables = "legend.dat".bands.wide_bands
 command = "./reproduce fig12"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig12.gp")]
 load here."style.gp"
-load here."slides.gp"
+eval columns("band_", bands, "displacement velocity_median velocity_lowest velocity_highest")
+eval columns("wide_", wide_bands, "displacement pore_pressure_median pore_pressure_lowest pore_pressure_highest")
 
 array colour[3] = [sky, purple, vermillion]
-table(scheme, i) = data(scheme."_".word(amplitudes, i)."kPa_over_displacement.dat")
-wide(scheme, i) = data(scheme."_".word(amplitudes, i)."kPa_windows.dat")
-v = over_x(velocity, displacement); p = over_x(pore_pressure, displacement)
+table(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
+wide(scheme, i) = data(slide(scheme, i)."_windows.dat")
 
 do for [format in "png pdf"] {
   eval terminal(format, 14, 6.6)
@@ -28,12 +33,13 @@ do for [format in "png pdf"] {
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
   set yrange [0:*]
   set key left top Left reverse
-  plot for [s in "RI RD"] for [i = 1:3] table(s, i) using 1:(column(v + 1)):(column(v + 2)) \
-         with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RI", i) using 1:(column(v)) \
+  eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
+  plot for [s in "RI RD"] for [i = 1:3] table(s, i) using (column(band_displacement)):(column(band_velocity_lowest)): \
+         (column(band_velocity_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:3] table("RI", i) using (column(band_displacement)):(column(band_velocity_median)) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RD", i) using 1:(column(v)) with lines linewidth 1.4 linecolor rgb colour[i] \
-         title "{/:Italic A} = ".word(amplitudes, i)." kPa", \
+       for [i = 1:3] table("RD", i) using (column(band_displacement)):(column(band_velocity_median)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] title label_of(slide("RD", i)), \
        keyentry with lines linewidth 1.2 linecolor rgb black title "RD", \
        keyentry with lines linewidth 1.2 dashtype 2 linecolor rgb black title "RI"
 
@@ -41,11 +47,13 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   unset key
-  plot for [s in "RI RD"] for [i = 1:3] wide(s, i) using 1:(kilo * column(p + 1)):(kilo * column(p + 2)) \
-         with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] wide("RI", i) using 1:(kilo * column(p)) \
+  plot for [s in "RI RD"] for [i = 1:3] wide(s, i) \
+         using (column(wide_displacement)):(kilo * column(wide_pore_pressure_lowest)): \
+         (kilo * column(wide_pore_pressure_highest)) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:3] wide("RI", i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:3] wide("RD", i) using 1:(kilo * column(p)) with lines linewidth 1.4 linecolor rgb colour[i] notitle
+       for [i = 1:3] wide("RD", i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
+         with lines linewidth 1.4 linecolor rgb colour[i] notitle
   unset multiplot
   set output
 }

@@ -3,33 +3,34 @@
 # thick their median as far as all of them slide; (C) excess pore pressure, medians of means over 1/25 of the distance;
 # (D) largest velocity over k with the range of the samples, and between which k RI begins to feel it (grey).
 conductivities = "0 5e-6 1e-5 2e-5 4e-5 1e-4"
-labels = "0 5×10^{−6} 10^{−5} 2×10^{−5} 4×10^{−5} 10^{−4}"
-tables = "sweep.dat critical.dat"
-do for [k in conductivities] {
-  tables = tables." RD_".k."_over_displacement.dat RI_".k."_over_displacement.dat"
-  tables = tables." RD_".k."_coarse.dat RI_".k."_coarse.dat"
+slide(scheme, i) = scheme."_".word(conductivities, i)
+slides = ""; bands = ""; coarse_bands = ""
+do for [i = 1:6] {
+  do for [s in "RD RI"] {
+    slides = slides." ".slide(s, i).".dat"
+    bands = bands." ".slide(s, i)."_over_displacement.dat"
+    coarse_bands = coarse_bands." ".slide(s, i)."_coarse.dat"
+  }
 }
+tables = "sweep.dat critical.dat legend.dat".slides.bands.coarse_bands
 command = "./reproduce fig13"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig13.gp")]
 load here."style.gp"
-load here."slides.gp"
+eval columns("", slides, "displacement velocity")
+eval columns("band_", bands, "displacement velocity_median")
+eval columns("coarse_", coarse_bands, "displacement pore_pressure_median")
+eval columns("critical_", "critical.dat", "lower upper")
+names = "hydraulic_conductivity"
+do for [s in "RD RI"] { do for [of in "median lowest highest"] { names = names." ".s."_largest_velocity_".of } }
+eval optional_columns("", "sweep.dat", names)   # a run that is too short has no largest velocity
+largest(s, of) = value(s."_largest_velocity_".of)
 
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
-median(scheme, i) = data(scheme."_".word(conductivities, i)."_over_displacement.dat")
-first(scheme, i) = shell_quoted(data(scheme."_".word(conductivities, i)))
-replicates(scheme, i) = system("ls ".first(scheme, i).".dat ".first(scheme, i)."_r*.dat 2>/dev/null")
-coarse(scheme, i) = data(scheme."_".word(conductivities, i)."_coarse.dat")
-v = over_x(velocity, displacement); p = over_x(pore_pressure, displacement)
-
-# sweep.dat: k, then median, lowest and highest of v_max, runout and "has stopped", by RD and by RI; critical.dat: k and
-# its bounds.
+median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
+coarse(scheme, i) = data(slide(scheme, i)."_coarse.dat")
 sweep = data("sweep.dat")
-rd_velocity = 2; ri_velocity = 11
-stats data("critical.dat") using 2 nooutput
-lower = STATS_min
-stats data("critical.dat") using 3 nooutput
-upper = STATS_max
+lower = first_of("critical.dat", critical_lower); upper = first_of("critical.dat", critical_upper)
 papers = 4e-5                # m/s, the critical k of the paper
 tens = 1e5                   # m/s to 1e-5 m/s
 
@@ -45,34 +46,36 @@ do for [format in "png pdf"] {
   do for [s = 1:2] {
     scheme = word("RD RI", s)
     set title panel(word("A B", s), s == 1 ? "rate-dependent (RD)" : "rate-independent (RI)")
-    plot for [i = 1:6] for [file in replicates(scheme, i)] file using (column(displacement)):(column(velocity)) \
-           with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:6] median(scheme, i) using 1:(column(v)) with lines linewidth 1.8 linecolor rgb colour[i] notitle
+    plot for [i = 1:6] for [r = 1:replicates(slide(scheme, i))] replicate_file(slide(scheme, i), r) \
+           using (column(displacement)):(column(velocity)) with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
+         for [i = 1:6] median(scheme, i) using (column(band_displacement)):(column(band_velocity_median)) \
+           with lines linewidth 1.8 linecolor rgb colour[i] notitle
   }
 
   set title panel("C", "pore pressure (RD solid, RI dashed)")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   set key at graph 1.06, 1.02 right top Left reverse title "{/:Italic k} (m/s)" enhanced
-  plot for [i = 1:6] coarse("RI", i) using 1:(kilo * column(p)) \
+  plot for [i = 1:6] coarse("RI", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:6] coarse("RD", i) using 1:(kilo * column(p)) \
+       for [i = 1:6] coarse("RD", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
          with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
-       for [i = 1:6] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title word(labels, i)
+       for [i = 1:6] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title label_of(slide("RD", i))
 
   set title panel("D", "largest velocity")
   set xlabel "hydraulic conductivity {/:Italic k} (10^{−5} m/s)"
   set ylabel "{/:Italic v}_{max} (m/s)" offset 1
   set xrange [-0.5:10.5]; set yrange [0:3.5]
   set key at graph 1.0, 1.0 right top notitle
-  set object 1 rectangle from first tens * lower, graph 0 to first tens * upper, graph 1 \
-    fillcolor rgb grey fillstyle solid 0.25 noborder behind
+  if (lower == lower) {   # else there is no critical k: it is not a number
+    set object 1 rectangle from first tens * lower, graph 0 to first tens * upper, graph 1 \
+      fillcolor rgb grey fillstyle solid 0.25 noborder behind
+  }
   set arrow 1 from first tens * papers, graph 0 to first tens * papers, graph 1 nohead dashtype 2 linecolor rgb black
   set label 1 "paper's critical {/:Italic k}" at first tens * papers, graph 0.06 offset 0.5, 0
-  plot for [s = 1:2] column_of = (s == 1 ? rd_velocity : ri_velocity) \
-         sweep using (tens * $1):(column(column_of)):(column(column_of + 1)):(column(column_of + 2)) \
-         with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s == 1 ? vermillion : blue) \
-         title word("RD RI", s)
+  plot for [s in "RD RI"] sweep using (tens * column(hydraulic_conductivity)):(column(largest(s, "median"))): \
+         (column(largest(s, "lowest"))):(column(largest(s, "highest"))) \
+         with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s eq "RD" ? vermillion : blue) title s
   unset object 1; unset arrow 1; unset label 1
   unset multiplot
   set output

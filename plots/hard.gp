@@ -8,7 +8,7 @@ here = script[1:strlen(script) - strlen("hard.gp")]
 load here."style.gp"
 
 scan = data("time_step_details.dat")
-rayleigh_share = 3; peak_ratio = 4; edge_share = 5
+eval columns("", tables, "rayleigh_share peak_ratio edge_share")
 
 do for [format in "png pdf"] {
   eval terminal(format, 14, 6.2)

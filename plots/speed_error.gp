@@ -8,22 +8,27 @@ command = "./reproduce speed_error"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("speed_error.gp")]
 load here."style.gp"
+errors = "errors_element.dat errors_trigger.dat errors_pulse.dat"
+fronts = "element_front.dat trigger_front.dat pulse_front.dat"
+eval columns("", errors, "axis seconds error_over_spread")
+eval columns("front_", fronts, "seconds error_over_spread")
+eval columns("paper_", "paper.dat", "scene seconds")
 
 array scene[3] = ["element", "trigger", "pulse"]
 array title[3] = ["element test", "trigger", "pulse"]
-array axis[15] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", "eq. 18, 17", \
-                  "stress every n-th", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
+array axis_names[15] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", \
+                        "eq. 18, 17", "stress every n-th", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
 array shown[15] = ["dt_L", "strain rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", \
                    "stress", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
 array colour[15] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion, \
                     black, blue, green, vermillion]
 array symbol[15] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
-of_axis(s, i, action) = sprintf("awk -F'\\t' -v axis='\"%s\"' '$2 == axis %s' %s", axis[i], action, \
-                                shell_quoted(data("errors_".scene[s].".dat")))
-rows(s, i) = "< ".of_axis(s, i, "")
+of_axis(s, i, action) = sprintf("LC_ALL=C awk -F '\\t' -v axis='\"%s\"' '$%d == axis %s' %s", axis_names[i], \
+                                axis, action, shell_quoted(data(word(errors, s))))
+rows_of(s, i) = "< ".of_axis(s, i, "")
 has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
-paper(s) = real(system(sprintf("awk -v s=%s '$1 == s {v = $2} END {print v + 0}' %s", scene[s], \
-                               shell_quoted(data("paper.dat")))))
+paper(s) = real(system(sprintf("LC_ALL=C awk -F '\\t' -v s=%s '$%d == s {v = $%d} END {print v + 0}' %s", scene[s], \
+                               paper_scene, paper_seconds, shell_quoted(data("paper.dat")))))
 least_error = 1e-3; largest_error = 100.0
 
 set datafile separator "\t"
@@ -52,9 +57,10 @@ do for [format in "png pdf"] {
     present = ""
     do for [i = 1:15] { if (has(s, i)) { present = present." ".i } }
     if (present eq "") { continue }   # nothing of that scene has been run
-    plot for [k in present] rows(s, k + 0) using 3:5 with points pointtype symbol[k + 0] pointsize 0.9 \
-           linecolor rgb colour[k + 0] title shown[k + 0], \
-         data(scene[s]."_front.dat") using 2:3 with lines linewidth 0.8 linecolor rgb black notitle
+    plot for [k in present] rows_of(s, k + 0) using (column(seconds)):(column(error_over_spread)) \
+           with points pointtype symbol[k + 0] pointsize 0.9 linecolor rgb colour[k + 0] title shown[k + 0], \
+         data(word(fronts, s)) using (column(front_seconds)):(column(front_error_over_spread)) \
+           with lines linewidth 0.8 linecolor rgb black notitle
     unset object 1; unset arrow 1; unset label 1
   }
   unset multiplot

@@ -26,17 +26,35 @@ do for [table in tables] {
   }
 }
 
+# What table.awk says of some tables, which are named with blanks between.
+paths(tables, i) = i > words(tables) ? "" : shell_quoted(data(word(tables, i)))." ".paths(tables, i + 1)
+asked(what, options, tables) = \
+  system(sprintf("LC_ALL=C awk -f %s -v ask=%s %s %s", shell_quoted(here."table.awk"), what, options, paths(tables, 1)))
+# columns(PREFIX, TABLES, NAMES): to be evaluated. It sets PREFIXNAME to the number of each column, for tables that have the
+# same columns. A script names columns, never numbers. In a folder so_far a column may be missing: it has no values then.
+missing_column = 999
+columns(prefix, tables, names) = asked("columns", sprintf("-v prefix=%s -v wanted=%s -v missing=%d", \
+  shell_quoted(prefix), shell_quoted(names), so_far ? missing_column : 0), tables)
+# The same for columns that a table need not have, such as a profile that a run did not come to.
+optional_columns(prefix, tables, names) = asked("columns", sprintf("-v prefix=%s -v wanted=%s -v missing=%d", \
+  shell_quoted(prefix), shell_quoted(names), missing_column), tables)
+rows(tables) = int(asked("rows", "", tables))
+number_in(text) = text eq "" ? NaN : real(text)
+first_of(table, number) = number_in(asked("first", sprintf("-v number=%d", number), table))
+mean_of(table, number) = number_in(asked("mean", sprintf("-v number=%d", number), table))
+# frame(TABLES, RANGES): to be evaluated before a panel of tables that may have no rows, as gnuplot refuses to draw nothing
+# in a frame of its own choice. RANGES are commands such as "set yrange [0:1]".
+frame(tables, ranges) = rows(tables) > 0 ? "" : ranges
+# The files of all replicates of a slide, one after the other: replicate_file(SLIDE, 1) and on, to replicates(SLIDE).
+replicate_file(slide, r) = data(slide.(r == 1 ? "" : sprintf("_r%d", r)).".dat")
+replicates_from(slide, r) = readable(replicate_file(slide, r + 1)) ? replicates_from(slide, r + 1) : r
+replicates(slide) = replicates_from(slide, 1)
+
 # Labels of the curves: DATADIR/legend.dat, lines of `point<TAB>label`. A point that it does not name keeps its own name.
-label_of(point) = system("awk -F'\t' -v p=".shell_quoted(point).\
-  " '$1 == p {l = $2} END {printf \"%s\", l == \"\" ? p : l}' ".shell_quoted(data("legend.dat")))
+label_of(point) = asked("label", "-v wanted=".shell_quoted(point), "legend.dat")
 
 other_label = others ? "dashed: ".system("basename -- ".shell_quoted(beside)) : ""
 
-# Columns of a shear run's table, SI units.
-column_strain = 2
-column_shear = 3
-column_normal = 4
-column_inertial = 6
 kilo = 1e-3       # Pa to kPa
 percent = 100.0   # strain to %
 
@@ -57,3 +75,11 @@ set tics nomirror out scale 0.6
 set key samplen 1.6 spacing 1.15 width -1 noopaque
 panel(letter, title) = sprintf("{/:Bold %s}  %s", letter, title)
 set title offset 0, -0.4
+set style fill transparent solid 0.22 noborder   # of bands
+
+# A study with settings that are not those of the case says so above each figure.
+if (readable(folder."/changes.txt")) {
+  changed = system("paste -sd ';' ".shell_quoted(folder."/changes.txt")." | sed 's/;/; /g'")
+  set label 100 "changed: ".(strlen(changed) > 150 ? changed[1:150]." ..." : changed) at screen 0.005, screen 0.985 \
+    noenhanced font ",6" textcolor rgb grey
+}

@@ -106,7 +106,8 @@ std::vector<Verdict> verdicts_from_json(std::string_view text) {
                        .origin = string("origin"),
                        .scales = {}};
       verdict.measured = number("measured");
-      verdict.met = entry.at("met").get<bool>();
+      const nlohmann::json& met = entry.at("met");  // null if the claim is not evaluated
+      verdict.ruling = met.is_null() ? Ruling::not_evaluated : met.get<bool>() ? Ruling::met : Ruling::not_met;
       verdict.reason = string("reason");
       verdicts.push_back(verdict);
     }

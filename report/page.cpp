@@ -13,8 +13,9 @@
 namespace flowslide {
 namespace {
 
-std::size_t met(const std::vector<Verdict>& verdicts) {
-  return static_cast<std::size_t>(std::count_if(verdicts.begin(), verdicts.end(), [](const auto& v) { return v.met; }));
+std::size_t count_of(const std::vector<Verdict>& verdicts, Ruling ruling) {
+  return static_cast<std::size_t>(
+      std::count_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.ruling == ruling; }));
 }
 std::size_t drawn(const std::vector<Figure>& figures) {
   return static_cast<std::size_t>(
@@ -36,9 +37,11 @@ std::string command_of(const CaseResults& results, const std::string& options) {
 }
 
 /// A word and a sign beside the colour, for whoever sees none.
-std::string verdict_mark(bool is_met, const std::string& word) {
+std::string verdict_mark(Ruling ruling, std::string_view word) {
+  const bool is_met = ruling == Ruling::met, is_open = ruling == Ruling::not_evaluated;
   return fmt::format("<span class=\"mark {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     is_met ? "met" : "missed", is_met ? "&#10003;" : "&#10007;", word);
+                     is_met ? "met" : is_open ? "open" : "missed", is_met ? "&#10003;" : is_open ? "&#8211;" : "&#10007;",
+                     word);
 }
 
 std::string claims_table(const std::vector<Verdict>& verdicts) {
@@ -52,7 +55,7 @@ std::string claims_table(const std::vector<Verdict>& verdicts) {
         "<tr><td>{}</td><td class=\"value\">{}</td><td>{}<br><code>{}</code></td><td class=\"value\">{}</td>"
         "<td class=\"value\">{}</td>"
         "<td class=\"small\">{}</td></tr>\n",
-        verdict_mark(verdict.met, verdict.met ? "met" : "not met"), escaped(claim.figure), escaped(claim.sentence),
+        verdict_mark(verdict.ruling, name_of(verdict.ruling)), escaped(claim.figure), escaped(claim.sentence),
         escaped(claim.metric), escaped(claim.expectation()), escaped(verdict.measurement()), escaped(claim.origin));
   }
   return html + "</tbody></table></div>\n";
@@ -106,14 +109,28 @@ std::string case_html(const CaseResults& results, const PageSetting& setting) {
   return html + "</section>\n";
 }
 
+/// The claims of this ruling, each with the reason; nothing if there are none.
+std::string list_of_claims(const std::vector<CaseResults>& cases, Ruling ruling, const char* title) {
+  std::string items;
+  for (const CaseResults& results : cases)
+    for (const Verdict& verdict : results.verdicts)
+      if (verdict.ruling == ruling)
+        items += fmt::format("<li><a href=\"#{}\">{}</a> {} <span class=\"small\">{}</span></li>\n",
+                             escaped(results.name), escaped(verdict.claim.figure), escaped(verdict.claim.sentence),
+                             escaped(verdict.reason));
+  return items.empty() ? "" : fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", title, items);
+}
+
 std::string overview(const std::vector<CaseResults>& cases) {
   std::string html =
       "<section id=\"overview\">\n<h2>Overview</h2>\n<div class=\"wide\"><table><thead><tr><th scope=\"col\">Case</th>"
       "<th scope=\"col\" class=\"number\">Figures</th><th scope=\"col\" class=\"number\">Runs</th>"
       "<th scope=\"col\">Claims</th></tr></thead><tbody>\n";
   for (const CaseResults& results : cases) {
-    const std::size_t all = results.verdicts.size(), held = met(results.verdicts);
-    std::string claims = all == 0 ? "none" : verdict_mark(held == all, fmt::format("{} of {} met", held, all));
+    const std::size_t all = results.verdicts.size(), held = count_of(results.verdicts, Ruling::met);
+    const bool missed = count_of(results.verdicts, Ruling::not_met) > 0;
+    const Ruling ruling = held == all ? Ruling::met : missed ? Ruling::not_met : Ruling::not_evaluated;
+    std::string claims = all == 0 ? "none" : verdict_mark(ruling, fmt::format("{} of {} met", held, all));
     if (results.empty()) claims = "not run";
     html += fmt::format(
         "<tr><th scope=\"row\"><a href=\"#{}\">{}</a></th><td class=\"number\">{}</td><td class=\"number\">{}</td>"
@@ -121,14 +138,8 @@ std::string overview(const std::vector<CaseResults>& cases) {
         escaped(results.name), escaped(title_of(results)), drawn(results.figures), results.runs.size(), claims);
   }
   html += "</tbody></table></div>\n";
-  std::string missed;
-  for (const CaseResults& results : cases)
-    for (const Verdict& verdict : results.verdicts)
-      if (!verdict.met)
-        missed += fmt::format("<li><a href=\"#{}\">{}</a> {} <span class=\"small\">{}</span></li>\n",
-                              escaped(results.name), escaped(verdict.claim.figure), escaped(verdict.claim.sentence),
-                              escaped(verdict.reason));
-  if (!missed.empty()) html += "<h3>Claims not met</h3>\n<ul>\n" + missed + "</ul>\n";
+  html += list_of_claims(cases, Ruling::not_met, "Claims not met");
+  html += list_of_claims(cases, Ruling::not_evaluated, "Claims not evaluated");
   return html + "</section>\n";
 }
 
@@ -136,7 +147,7 @@ std::string header(const std::vector<CaseResults>& cases, const std::string& sca
   std::size_t claims = 0, claims_met = 0, figures = 0, runs = 0;
   for (const CaseResults& results : cases) {
     claims += results.verdicts.size();
-    claims_met += met(results.verdicts);
+    claims_met += count_of(results.verdicts, Ruling::met);
     figures += drawn(results.figures);
     runs += results.runs.size();
   }

@@ -11,12 +11,13 @@
 #include "app/ensemble.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
+#include "app/replicates.hpp"
 #include "app/tables.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
-#include "pictures.hpp"
 #include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
+#include "record/hash.hpp"
 #include "record/result_file.hpp"
 
 namespace flowslide {
@@ -36,6 +37,7 @@ void UndrainedCase::read(const Configuration& configuration) {
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
   for (int replicate = 0; replicate < replicates; ++replicate)
     samples_.push_back(read_samples(configuration, slope_, replicate));
+  refuse_equal_recipes(samples_);
   for (int replicate = 0; replicate < replicates; ++replicate)
     for (const std::string& name : configuration.subtables("point")) read_curve(configuration, name, replicate);
 }
@@ -67,6 +69,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
                  steps * grains * seconds_per_grain_and_step(engine_),
                  sample_of(curve).label(),
                  {engine_, preparation_engine_}};
+  if (curve.picture_strain) curve.point.tables = {curve.point.name + "_frames"};
   curves_.push_back(curve);
 }
 
@@ -102,59 +105,96 @@ void UndrainedCase::prepare(const Point& point, const ProgressStyle& progress, c
   on_first_rank([&] { print_found_sample(std::cout, sample_of(wanted), found); });
 }
 
+std::vector<Metric> UndrainedCase::parameters_of(const Curve& curve) const {
+  return {{"void_ratio", sample_of(curve).target.void_ratio, "1", "void ratio that was looked for"},
+          {"time_step", curve.time_step, "s", "time step dt_L"},
+          {"shear_rate", curve.test.shear_rate, "1/s", "shear rate"},
+          {"final_strain", curve.test.final_strain, "1", "shear strain at the end"}};
+}
+
+Result UndrainedCase::result_of(const Curve& running, const FoundSample& found, const PointRun& run,
+                                const ElementTestRecord& record) const {
+  Result result = run.result(record.rows, metrics_of(found));
+  result.parameters = parameters_of(running);
+  result.windows = measures_of_rows(record.measured).windows();
+  result.provenance.seed = seed_;
+  result.provenance.replicate = running.replicate;
+  result.provenance.sample = found.name;
+  return result;
+}
+
+void UndrainedCase::judge(Result& result, const Curve& running, const ElementTestRecord& record) const {
+  for (const Metric& metric : curve_metrics(record.measured, sample_of(running).recipe.normal_stress))
+    result.metrics.push_back(metric);
+}
+
+ElementTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& found, DemSample& sample,
+                                       Pictures& pictures, const PointRun& run) const {
+  ElementTestRecord so_far;
+  if (const auto& kept = run.checkpoints.found()) {
+    sample.restore(kept->sample);
+    pictures.restore(kept->shots);
+    so_far = {kept->so_far.series, kept->measured};
+  }
+  const std::int64_t steps = running.test.steps(running.time_step);
+  Progress progress("fig03_undrained " + running.point.name, steps, run.progress, sample.steps());
+  const auto checkpoint = [&](Result result, std::int64_t done, const Series& measured) {
+    return Checkpoint{std::move(result), static_cast<double>(done) / static_cast<double>(steps), sample.state(), {},
+                      pictures.shots(), measured};
+  };
+  const auto observe = [&](std::int64_t done, const Assembly& assembly, const ElementTestRecord& record) {
+    pictures.take(record.rows.axis.values.back(), sample.shear_strain(), assembly);
+    progress.update(done, fmt::format("t {:.3f} s, strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", sample.time(),
+                                      100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
+    run.checkpoints.border([&] {
+      Result result = result_of(running, found, run, record);
+      judge(result, running, record);
+      return checkpoint(std::move(result), done, record.measured);
+    });
+  };
+  ElementTestRecord record = run_element_test(sample, running.test, observe, std::move(so_far));
+  progress.finish();
+  run.checkpoints.keep_end(checkpoint(result_of(running, found, run, record), steps, record.measured));
+  return record;
+}
+
 void UndrainedCase::run(const Point& point, const PointRun& run) const {
-  const Curve& running = curve(point.name);
+  Curve running = curve(point.name);
   const FoundSample found = sample_for(running, run.output.file(point.name + ".preparation.log"), run.progress,
                                        run.threads,
                                        [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   const auto engine = make_engine(engine_, run.output.file(point.name + "." + engine_ + ".log"), run.threads);
-  const ElementTest test = for_sample(running.test, sample_of(running).recipe, found.sample.assembly.mean_diameter());
-
+  std::vector<std::string> names;
+  for (const Curve& other : curves_) names.push_back(other.point.name);
+  on_first_rank([&] {
+    refuse_sample_of_others(result_of(running, found, run, {}).provenance, hash_of(run.identity.configuration()),
+                            run.output.path(), names);
+  });
+  running.test = for_sample(running.test, sample_of(running).recipe, found.sample.assembly.mean_diameter());
   DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, running.time_step, 0.0});
   Pictures pictures(running.picture_strain);
-  Series rows = element_test_series();
-  if (const auto& kept = run.checkpoints.found()) {
-    sample.restore(kept->sample);
-    pictures.restore(kept->shots);
-    rows = kept->so_far.series;
-  }
-  const auto result_of = [&](const Series& series) {
-    Result result = run.result(series, metrics_of(found));
-    for (const Metric& metric : curve_metrics(series, sample_of(running).recipe.normal_stress))
-      result.metrics.push_back(metric);
-    result.provenance.seed = seed_;
-    result.provenance.replicate = running.replicate;
-    return result;
-  };
-  const std::int64_t steps = test.steps(running.time_step);
-  Progress progress("fig03_undrained " + point.name, steps, run.progress, sample.steps());
-  const auto observe = [&](std::int64_t done, const Assembly& assembly, const Series& so_far) {
-    pictures.take(so_far.axis.values.back(), sample.shear_strain(), assembly);
-    progress.update(done, fmt::format("t {:.3f} s, strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", sample.time(),
-                                      100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
-    run.checkpoints.border([&] {
-      return Checkpoint{result_of(so_far), static_cast<double>(done) / static_cast<double>(steps), sample.state(), {},
-                        pictures.shots()};
-    });
-  };
-  const Result result = result_of(run_element_test(sample, test, observe, std::move(rows)));
+  const ElementTestRecord record = shear(running, found, sample, pictures, run);
+  Result result = result_of(running, found, run, record);
+  judge(result, running, record);
   on_first_rank([&] {
     pictures.write(run.output, point.name);
     write_table(run.output.file(point.name + ".dat"), table_of(result));
     write_result(run.output.file(point.name + ".h5"), result);
   });
-  progress.finish();
 }
 
 std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path& folder,
                                                      const std::vector<std::string>& points) const {
   std::map<std::string, double> all;
   Ensembles curves;
+  std::vector<Provenance> origins;
   for (const std::string& name : points) {
     Ensemble& replicates = curves[curve(name).name];
     replicates.push_back(read_result(folder / (name + ".h5")));
+    origins.push_back(replicates.back().provenance);
     for (const Metric& metric : replicates.back().metrics) all[name + "." + metric.name] = metric.value;
   }
+  refuse_equal_samples(origins);
   for (const auto& [name, replicates] : curves)
     for (const auto& [metric, value] : summary_of(replicates)) all[name + "." + metric] = value;
   const auto slow = all.find("I_1e-4.peak_shear_stress.median"), fast = all.find("I_2e-2.peak_shear_stress.median");

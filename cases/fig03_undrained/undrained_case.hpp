@@ -7,6 +7,8 @@
 #include "app/element_test.hpp"
 #include "app/models.hpp"
 #include "app/sample_cache.hpp"
+#include "pictures.hpp"
+#include "record/result_file.hpp"
 
 namespace flowslide {
 
@@ -27,6 +29,7 @@ class UndrainedCase : public Case {
   CaseDescription description() const override;
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
+  std::vector<std::string> tables() const override { return {"legend", "fig02_before", "fig02_during"}; }
   void print_plan(const Point& point, std::ostream& out) const override;
   void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
   void run(const Point& point, const PointRun& run) const override;
@@ -40,6 +43,13 @@ class UndrainedCase : public Case {
   /// The sample of a curve, from the cache or by the engine of the preparation, which writes of itself to `log`.
   FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress,
                          int threads, const PreparationBorder& border) const;
+  std::vector<Metric> parameters_of(const Curve& curve) const;
+  ElementTestRecord shear(const Curve& running, const FoundSample& found, DemSample& sample,
+                          Pictures& pictures, const PointRun& run) const;
+  /// What is written of a record, complete or not: without the metrics of the curve, which judge() adds.
+  Result result_of(const Curve& running, const FoundSample& found, const PointRun& run,
+                   const ElementTestRecord& record) const;
+  void judge(Result& result, const Curve& running, const ElementTestRecord& record) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

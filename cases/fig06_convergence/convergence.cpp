@@ -11,23 +11,23 @@
 namespace flowslide {
 namespace {
 
-constexpr double peak_before = 0.02;  ///< strain within which a loose sample has its peak
 constexpr double compared_to = 5e-3;  ///< strain to which curves are compared
 constexpr int windows = 20;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Means of a column over windows of an abscissa from 0 to `end`; empty if the record ends before.
-std::vector<double> means_of(const Series& series, const char* column, const char* abscissa, double end) {
-  if (series.column(abscissa).values.back() < end) return {};
+/// Means of a column over windows of an abscissa from 0 to `end`; empty if the run ends before.
+std::vector<double> means_of(const Result& result, const char* column, const char* abscissa, double end) {
+  const Series& all = windows_over(result, abscissa);
+  if (!(end_of(all) >= end && end > 0.0)) return {};
   std::vector<double> means;
   means.reserve(windows);
   for (int window = 0; window < windows; ++window)
-    means.push_back(mean_between(series, column, abscissa, end * window / windows, end * (window + 1) / windows));
+    means.push_back(mean_over(all, column, end * window / windows, end * (window + 1) / windows));
   return means;
 }
 
-std::vector<double> stresses(const Series& series) {
-  return means_of(series, "shear_stress", "shear_strain", compared_to);
+std::vector<double> stresses(const Result& result) {
+  return means_of(result, "shear_stress", "shear_strain", compared_to);
 }
 
 double sum_of_squares(const std::vector<double>& values) {
@@ -47,23 +47,17 @@ double relative_difference(std::vector<double> values, const std::vector<double>
 using Errors = std::map<double, double, std::greater<>>;
 using Slides = std::map<double, const Ensemble*, std::greater<>>;
 
-struct SlideName {
-  std::string passing, level, time_step;
-};
+constexpr double rounding = 1e-9;  ///< by which parameters that are equal may differ: a product of others
 
-SlideName parts_of(const std::string& name) {
-  const auto first = name.find('_'), last = name.rfind('_');
-  if (first == last) return {name.substr(0, first), name.substr(first + 1), ""};
-  return {name.substr(0, first), name.substr(first + 1, last - first - 1), name.substr(last + 1)};
+bool same_parameter(const Ensemble& a, const Ensemble& b, const char* name) {
+  const double one = parameter_of(a, name), other = parameter_of(b, name);
+  return std::abs(one - other) <= rounding * std::abs(other);
 }
 
-/// Of the replicates that have been run alone as well.
+/// Of the samples that have been run alone as well.
 std::vector<double> errors_of(const Ensemble& ensemble, const Ensemble& alone) {
   std::vector<double> errors;
-  for (const Result& result : ensemble)
-    for (const Result& reference : alone)
-      if (result.provenance.replicate == reference.provenance.replicate)
-        errors.push_back(relative_error(result.series, reference.series));
+  for (const auto& [result, reference] : paired(ensemble, alone)) errors.push_back(relative_error(*result, *reference));
   std::erase_if(errors, [](double error) { return std::isnan(error); });
   return errors;
 }
@@ -77,19 +71,14 @@ double least_ratio(const Errors& errors) {
   return least;
 }
 
-double median(const std::vector<double>& values) { return values.empty() ? nothing : statistics_of(values).median; }
-
 /// Between v(t) of two slides on the same samples, as far as both go.
 double velocity_change(const Ensemble& slides, const Ensemble& references) {
   std::vector<double> changes;
-  for (const Result& a : slides)
-    for (const Result& b : references) {
-      if (a.provenance.replicate != b.provenance.replicate) continue;
-      const double end = std::min(a.series.axis.values.back(), b.series.axis.values.back());
-      changes.push_back(relative_difference(means_of(a.series, "velocity", "time", end),
-                                            means_of(b.series, "velocity", "time", end)));
-    }
-  return median(changes);
+  for (const auto& [a, b] : paired(slides, references)) {
+    const double end = std::min(end_of(windows_over(*a, "time")), end_of(windows_over(*b, "time")));
+    changes.push_back(relative_difference(means_of(*a, "velocity", "time", end), means_of(*b, "velocity", "time", end)));
+  }
+  return statistics_of(changes).median;
 }
 
 void compare_passings(const std::map<std::string, Errors>& high, double spread,
@@ -112,14 +101,15 @@ void compare_passings(const std::map<std::string, Errors>& high, double spread,
   }
 }
 
-/// How far slides with another n_accum, "carry<n>", are from those with 10: the largest relative difference.
+/// How far slides with another n_accum, "carry<n>", are from those of "carry": the largest relative difference.
 double n_accum_difference(const Ensembles& slides) {
   double largest = nothing;
   for (const auto& [name, ensemble] : slides) {
-    const auto [passing, level, time_step] = parts_of(name);
-    const auto first = slides.find(fmt::format("carry_{}_{}", level, time_step));
-    if (!passing.starts_with("carry") || passing == "carry" || first == slides.end()) continue;
-    for (const double difference : errors_of(ensemble, first->second)) largest = std::fmax(largest, difference);
+    if (!passing_of(name).starts_with("carry") || passing_of(name) == "carry") continue;
+    for (const auto& [first_name, first] : slides)
+      if (passing_of(first_name) == "carry" && same_parameter(ensemble, first, "time_step") &&
+          same_parameter(ensemble, first, "inertial_number"))
+        for (const double difference : errors_of(ensemble, first)) largest = std::fmax(largest, difference);
   }
   return largest;
 }
@@ -132,30 +122,30 @@ void compare_steps(const std::string& passing, const Slides& slides, const Ensem
   metrics[passing + "_velocity_change"] = velocity_change(smallest, largest);
   if (passing == "RI" && all.contains("DEM_low") && all.contains("DEM_high"))
     metrics["RI_distance_to_low_over_high"] =
-        median(errors_of(smallest, all.at("DEM_low"))) / median(errors_of(smallest, all.at("DEM_high")));
+        statistics_of(errors_of(smallest, all.at("DEM_low"))).median /
+        statistics_of(errors_of(smallest, all.at("DEM_high"))).median;
 }
 
 }  // namespace
 
-std::vector<Metric> peak_metrics(const Series& series) {
-  const auto &strain = series.column("shear_strain").values, &stress = series.column("shear_stress").values;
-  std::size_t peak = 0;
-  for (std::size_t row = 0; row < series.rows() && strain[row] <= peak_before; ++row)
-    if (stress[row] > stress[peak]) peak = row;
-  std::vector<Metric> metrics{{"peak_shear_stress", stress[peak], "Pa", "largest shear stress up to 2 % strain"},
-                              {"strain_at_peak", strain[peak], "1", "shear strain at that stress"}};
-  const bool is_slide = std::any_of(series.columns.begin(), series.columns.end(),
-                                    [](const Column& column) { return column.name == "rate_applied"; });
-  if (is_slide) {
-    const auto mean = [&](const char* rate) { return mean_between(series, rate, "shear_strain", 0.0, compared_to); };
-    metrics.push_back({"rate_share", mean("rate_applied") / mean("rate_asked"), "1",
-                       "mean rate applied over the rate asked for, up to 0.5 % strain"});
-  }
-  return metrics;
+std::string passing_of(const std::string& slide) { return slide.substr(0, slide.find('_')); }
+
+std::string alone_of(const Ensemble& slide, const Ensembles& slides) {
+  for (const std::string name : {"DEM_low", "DEM_high"})
+    if (slides.contains(name) && same_parameter(slide, slides.at(name), "inertial_number")) return name;
+  return "";
 }
 
-double relative_error(const Series& series, const Series& reference) {
-  return relative_difference(stresses(series), stresses(reference));
+std::vector<Metric> peak_metrics(const RunMeasures& measures) {
+  const auto mean = [&](const char* rate) { return mean_over(measures.over_strain, rate, 0.0, compared_to); };
+  return {{"peak_shear_stress", measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
+          {"strain_at_peak", measures.peak_to_2.strain, "1", "shear strain at that stress"},
+          {"rate_share", mean("rate_applied") / mean("rate_asked"), "1",
+           "mean rate applied over the rate asked for, up to 0.5 % strain"}};
+}
+
+double relative_error(const Result& result, const Result& reference) {
+  return relative_difference(stresses(result), stresses(reference));
 }
 
 double relative_spread(const Ensemble& ensemble) {
@@ -163,7 +153,7 @@ double relative_spread(const Ensemble& ensemble) {
   for (int window = 0; window < windows; ++window) {
     std::vector<double> samples;
     for (const Result& result : ensemble)
-      if (const auto all = stresses(result.series); !all.empty()) samples.push_back(all[window]);
+      if (const auto all = stresses(result); !all.empty()) samples.push_back(all[window]);
     if (samples.size() < 2) return nothing;
     const Statistics all = statistics_of(samples);
     deviations.push_back(all.deviation);
@@ -177,20 +167,21 @@ void compare_with_grains(const Ensembles& slides, std::map<std::string, double>&
   std::map<std::string, Slides> fast;
   std::vector<double> low;
   for (const auto& [name, ensemble] : slides) {
-    const auto [passing, level, time_step] = parts_of(name);
+    const std::string passing = passing_of(name), reference = alone_of(ensemble, slides);
     if (passing == "DEM") metrics[name + ".spread"] = relative_spread(ensemble);
-    const auto alone = slides.find("DEM_" + level);
-    if (passing == "DEM" || alone == slides.end()) continue;
-    const std::vector<double> errors = errors_of(ensemble, alone->second);
+    if (passing == "DEM" || reference.empty()) continue;
+    const Ensemble& alone = slides.at(reference);
+    const std::vector<double> errors = errors_of(ensemble, alone);
     if (errors.empty()) continue;
     const Statistics all = statistics_of(errors);
     metrics[name + ".error"] = all.median;
     metrics[name + ".error.highest"] = all.highest;
-    metrics[name + ".error_over_spread"] = all.median / relative_spread(alone->second);
-    if (level == "low") low.push_back(all.highest);
-    if (level != "high") continue;
-    high[passing][std::stod(time_step)] = all.median;
-    fast[passing][std::stod(time_step)] = &ensemble;
+    metrics[name + ".error_over_spread"] = all.median / relative_spread(alone);
+    if (reference == "DEM_low") low.push_back(all.highest);
+    if (reference != "DEM_high") continue;
+    const double time_step = parameter_of(ensemble, "time_step");
+    high[passing][time_step] = all.median;
+    fast[passing][time_step] = &ensemble;
   }
   if (!low.empty())
     metrics["largest_low_error_over_spread"] = *std::max_element(low.begin(), low.end()) / metrics["DEM_low.spread"];

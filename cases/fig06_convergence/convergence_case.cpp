@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "convergence_case.hpp"
 
+#include "app/runout.hpp"
 #include "convergence.hpp"
 #include "error_table.hpp"
 #include "record/atomic_file.hpp"
@@ -15,16 +16,27 @@ ConvergenceCase::ConvergenceCase()
                  {}}) {}
 
 std::vector<Metric> ConvergenceCase::slide_metrics(const SlideOutcome& outcome) const {
-  return peak_metrics(outcome.series);
+  return peak_metrics(outcome.measures);
 }
 
 void ConvergenceCase::compare(const Ensembles& slides, std::map<std::string, double>& metrics) const {
   compare_with_grains(slides, metrics);
 }
 
+std::vector<std::string> ConvergenceCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  tables.emplace_back("legend");
+  return tables;
+}
+
 void ConvergenceCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  const std::string table = error_table(metrics(output.path(), points_in(output)));
+  const std::vector<std::string> present = points_in(output);
+  std::string legend;
+  for (const auto& [name, ensemble] : results_in(output.path(), present))
+    if (are_slides(ensemble)) legend += name + "\t" + label_of_quantity(parameter_of(ensemble, "time_step")) + "\n";
+  write_atomically(output.file("legend.dat"), legend);
+  const std::string table = error_table(results_in(output.path(), present), metrics(output.path(), present));
   if (!table.empty()) write_atomically(output.file("table.md"), table);
 }
 

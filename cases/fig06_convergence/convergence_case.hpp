@@ -10,8 +10,9 @@ class ConvergenceCase : public SlideCase {
  public:
   ConvergenceCase();
 
-  /// The errors as table.md besides.
+  /// The errors as table.md besides, and the legend, dt_G of each slide.
   void finish(const OutputFolder& output) const override;
+  std::vector<std::string> tables() const override;
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;

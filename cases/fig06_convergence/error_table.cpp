@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <utility>
+
+#include "convergence.hpp"
 
 namespace flowslide {
 namespace {
@@ -21,25 +26,39 @@ std::string cell(const std::map<std::string, double>& metrics, const std::string
                                : fmt::format("{:.2g} ({:.3g})", error->second, rate->second);
 }
 
+bool is_shown(const std::string& passing) {
+  return std::any_of(passings.begin(), passings.end(), [&](const auto& shown) { return shown.first == passing; });
+}
+
+/// "1e-3", "2.5e-4".
+std::string scientific(double value) {
+  const double exponent = std::floor(std::log10(value) + 1e-9);
+  return fmt::format("{:.3g}e{:.0f}", value / std::pow(10.0, exponent), exponent);
+}
+
 }  // namespace
 
-std::string error_table(const std::map<std::string, double>& metrics) {
-  std::string head = "| dt_G (s) |", rule = "|---|", rows;
+std::string error_table(const Ensembles& slides, const std::map<std::string, double>& metrics) {
+  std::map<double, std::map<std::string, std::string>, std::greater<>> rows;  // by dt_G, then by passing
+  for (const auto& [name, ensemble] : slides) {
+    const std::string text = is_shown(passing_of(name)) ? cell(metrics, name) : "";
+    if (!text.empty() && alone_of(ensemble, slides) == "DEM_high")
+      rows[parameter_of(ensemble, "time_step")][passing_of(name)] = text;
+  }
+  if (rows.empty()) return "";
+  std::string text = "| dt_G (s) |", rule = "|---|";
   for (const auto& [passing, title] : passings) {
-    head += fmt::format(" {} |", title);
+    text += fmt::format(" {} |", title);
     rule += "---|";
   }
-  for (const char* time_step : {"1e-3", "1e-4", "1e-5", "1e-6"}) {
-    std::string row;
-    bool any = false;
-    for (const auto& [passing, title] : passings) {
-      const std::string text = cell(metrics, fmt::format("{}_high_{}", passing, time_step));
-      any = any || !text.empty();
-      row += fmt::format(" {} |", text);
-    }
-    if (any) rows += fmt::format("| {} |{}\n", time_step, row);
+  text += "\n" + rule + "\n";
+  for (const auto& [time_step, cells] : rows) {
+    text += fmt::format("| {} |", scientific(time_step));
+    for (const auto& [passing, title] : passings)
+      text += fmt::format(" {} |", cells.contains(passing) ? cells.at(passing) : "");
+    text += "\n";
   }
-  return rows.empty() ? "" : head + "\n" + rule + "\n" + rows;
+  return text;
 }
 
 }  // namespace flowslide

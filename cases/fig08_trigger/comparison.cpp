@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "trigger_metrics.hpp"
 
@@ -25,69 +26,67 @@ Schemes schemes_of(const Ensembles& slides, const std::string& loading) {
 }
 
 /// RMS difference between RD and RI on one sample over the RMS deviation of RI between samples. Each row holds one
-/// quantity, such as tau in one window of strain, for all samples.
-double difference_over_spread(const std::vector<std::vector<double>>& rd, const std::vector<std::vector<double>>& ri) {
+/// quantity, such as tau in one window of strain, by RD and by RI for all samples.
+double difference_over_spread(const std::vector<std::vector<std::pair<double, double>>>& rows) {
   double differences = 0.0, variances = 0.0;
-  for (std::size_t row = 0; row < rd.size(); ++row) {
-    const double deviation = statistics_of(ri[row]).deviation;
-    variances += deviation * deviation;
-    for (std::size_t sample = 0; sample < rd[row].size(); ++sample) {
-      const double difference = rd[row][sample] - ri[row][sample];
-      differences += difference * difference / static_cast<double>(rd[row].size());
+  for (const auto& row : rows) {
+    std::vector<double> of_ri;
+    for (const auto& [rd, ri] : row) {
+      differences += (rd - ri) * (rd - ri) / static_cast<double>(row.size());
+      of_ri.push_back(ri);
     }
+    const double deviation = statistics_of(of_ri).deviation;
+    variances += deviation * deviation;
   }
   return std::sqrt(differences / variances);
 }
 
-std::vector<std::vector<double>> windows(const Ensemble& ensemble, const std::string& column, double end) {
-  std::vector<std::vector<double>> rows;
+std::vector<std::vector<std::pair<double, double>>> windows(const std::vector<Pair>& pairs, const std::string& column,
+                                                            double end) {
+  std::vector<std::vector<std::pair<double, double>>> rows;
   for (int window = 0; window < path_windows; ++window) {
-    std::vector<double> samples;
-    for (const Result& result : ensemble)
-      samples.push_back(mean_between(result.series, column, "shear_strain", end * window / path_windows,
-                                     end * (window + 1) / path_windows));
-    rows.push_back(samples);
+    const auto mean = [&](const Result& result) {
+      return mean_over(windows_over(result, "shear_strain"), column, end * window / path_windows,
+                       end * (window + 1) / path_windows);
+    };
+    rows.emplace_back();
+    for (const auto& [rd, ri] : pairs) rows.back().emplace_back(mean(*rd), mean(*ri));
   }
   return rows;
 }
 
-double earliest_peak(const Ensemble& ensemble) {
-  return statistics_of(values_of(ensemble, "strain_at_peak")).lowest;
+double earliest_peak(const std::vector<Pair>& pairs) {
+  double earliest = std::numeric_limits<double>::infinity();
+  for (const auto& [rd, ri] : paired_values(pairs, "strain_at_peak")) earliest = std::min({earliest, rd, ri});
+  return earliest;
 }
 
 double median(const Ensemble& ensemble, const std::string& metric) {
-  const std::vector<double> values = values_of(ensemble, metric);
-  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : statistics_of(values).median;
+  return statistics_of(values_of(ensemble, metric)).median;
 }
 
 /// Velocity by RD over that by RI near the last displacement that both reach.
 double velocity_ratio(const Series& rd, const Series& ri) {
-  const auto farthest = [](const Series& series) {
-    const auto& x = series.column("displacement").values;
-    return *std::max_element(x.begin(), x.end());
-  };
-  const double end = std::min(farthest(rd), farthest(ri));
-  const auto velocity = [&](const Series& series) {
-    return mean_between(series, "velocity", "displacement", last_part * end, end);
-  };
-  return velocity(rd) / velocity(ri);
+  const double end = std::min(end_of(rd), end_of(ri));
+  return mean_over(rd, "velocity", last_part * end, end) / mean_over(ri, "velocity", last_part * end, end);
 }
 
 }  // namespace
 
 void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metrics) {
   const auto [rd, ri] = schemes_of(slides, "ramp");
-  if (rd == nullptr || rd->size() != ri->size() || rd->size() < 2) return;
-  const double end = std::min(earliest_peak(*rd), earliest_peak(*ri));
+  if (rd == nullptr) return;
+  const std::vector<Pair> pairs = paired(*rd, *ri);
+  if (pairs.size() < 2) return;
+  const double end = earliest_peak(pairs);
   double path = 0.0;
   for (const char* column : {"shear_stress", "normal_stress"})
-    path = std::max(path, difference_over_spread(windows(*rd, column, end), windows(*ri, column, end)));
+    path = std::max(path, difference_over_spread(windows(pairs, column, end)));
   metrics["path_difference_over_spread"] = path;
-  metrics["peak_difference_over_spread"] = difference_over_spread({values_of(*rd, "peak_shear_stress")},
-                                                                  {values_of(*ri, "peak_shear_stress")});
+  metrics["peak_difference_over_spread"] = difference_over_spread({paired_values(pairs, "peak_shear_stress")});
   std::vector<double> ratios;
-  for (std::size_t sample = 0; sample < rd->size(); ++sample)
-    ratios.push_back(velocity_ratio((*rd)[sample].series, (*ri)[sample].series));
+  for (const auto& [a, b] : pairs)
+    ratios.push_back(velocity_ratio(windows_over(*a, "displacement"), windows_over(*b, "displacement")));
   metrics["velocity_ratio"] = statistics_of(ratios).median;
   const std::vector<double> before = values_of(*rd, "linearity_1"), after = values_of(*rd, "linearity_2");
   if (!before.empty() && !after.empty())

@@ -7,7 +7,7 @@
 
 namespace flowslide {
 
-/// What is said of RD_ramp against RI_ramp on the same samples, added to `metrics` if both have been run:
+/// What is said of RD_ramp against RI_ramp on the samples that both have, added to `metrics` if there are two or more:
 ///   path_difference_over_spread   of the stress paths up to the earliest peak: difference of tau and of sigma between
 ///                                 RD and RI on one sample over the standard deviation of RI between samples, both as
 ///                                 root mean squares over strain and samples; the larger of the two

@@ -3,12 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "comparison.hpp"
 #include "profile_metrics.hpp"
 #include "record/gnuplot_table.hpp"
 #include "trigger_metrics.hpp"
 
 namespace flowslide {
+
+namespace {
+
+/// A line of peaks.dat: where tau of the first sample is largest; none if it has no peak.
+std::string peak_line(const std::string& name, const Result& result) {
+  const auto metric = [&](const char* wanted) { return statistics_of(values_of({result}, wanted)).median; };
+  const double time = metric("time_at_peak"), shear = metric("peak_shear_stress");
+  const double normal = metric("normal_stress_at_peak");
+  if (!std::isfinite(time + shear + normal)) return "";
+  return fmt::format("{}\t{}\t{}\t{}\n", name, time, shear, normal);
+}
+
+}  // namespace
 
 TriggerCase::TriggerCase()
     : SlideCase({"fig08_trigger",
@@ -18,7 +33,7 @@ TriggerCase::TriggerCase()
                  {}}) {}
 
 std::vector<Metric> TriggerCase::slide_metrics(const SlideOutcome& outcome) const {
-  std::vector<Metric> metrics = trigger_metrics(outcome.series);
+  std::vector<Metric> metrics = trigger_metrics(outcome.measures, outcome.series.last("velocity"));
   for (const Metric& metric : profile_metrics(outcome.profiles)) metrics.push_back(metric);
   return metrics;
 }
@@ -28,13 +43,22 @@ void TriggerCase::compare(const Ensembles& slides, std::map<std::string, double>
   compare_steady_states(slides, metrics);
 }
 
+std::vector<std::string> TriggerCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  tables.insert(tables.end(), {"steady_friction", "peaks", "legend"});
+  for (const std::string& name : slide_names())
+    if (name.ends_with("_hold")) tables.push_back(name + "_friction_band");
+  return tables;
+}
+
 void TriggerCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  std::string steady = "# slide\tmean mu_ss\tstandard error\n";
+  std::string steady = "# slide\tfriction\tstandard_error\n", peaks = "# slide\ttime\tshear_stress\tnormal_stress\n";
   for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
+    peaks += peak_line(name, ensemble.front());
     if (!name.ends_with("_hold")) continue;
     std::vector<Series> replicates;
-    for (const Result& result : ensemble) replicates.push_back(friction(result.series));
+    for (const Result& result : ensemble) replicates.push_back(friction(windows_over(result, "shear_strain")));
     write_table(output.file(name + "_friction_band.dat"), {{{"slide", name}}, band_of_rows(replicates)});
     const std::vector<double> values = values_of(ensemble, "steady_friction");
     if (values.empty()) continue;
@@ -42,6 +66,7 @@ void TriggerCase::finish(const OutputFolder& output) const {
     steady += fmt::format("{}\t{}\t{}\n", name, all.mean, all.standard_error);
   }
   write_atomically(output.file("steady_friction.dat"), steady);
+  write_atomically(output.file("peaks.dat"), peaks);
 
   std::string legend;
   for (const SlidePoint& slide : slides())

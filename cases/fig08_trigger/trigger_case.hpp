@@ -8,13 +8,16 @@ namespace flowslide {
 class TriggerCase : public SlideCase {
  public:
   TriggerCase();
-  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, and the legend of Fig. 10.
+  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, the peaks that Fig. 8 marks, peaks.dat,
+  /// and the legend of Fig. 10.
   void finish(const OutputFolder& output) const override;
+  std::vector<std::string> tables() const override;
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;
   void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override;
   std::vector<std::string> abscissas() const override { return {"time", "shear_strain"}; }
+  double mean_stress_interval() const override { return 5e-4; }
 };
 
 }  // namespace flowslide

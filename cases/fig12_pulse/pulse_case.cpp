@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "pulse_case.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "comparison.hpp"
+#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "runout_metrics.hpp"
 
@@ -18,13 +23,26 @@ PulseCase::PulseCase()
                  {}}) {}
 
 std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const {
-  return runout_metrics(outcome.series, outcome.point.settings);
+  return runout_metrics(outcome);
+}
+
+std::vector<std::string> PulseCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  for (const std::string& name : slide_names()) tables.push_back(name + "_windows");
+  tables.emplace_back("legend");
+  return tables;
 }
 
 void PulseCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  for (const auto& [name, ensemble] : results_in(output.path(), points_in(output)))
+  std::string legend;
+  for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
+    if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_windows.dat"), {{{"slide", name}}, band_over(ensemble, "displacement", windows)});
+    if (const double amplitude = parameter_of(ensemble, "amplitude"); std::isfinite(amplitude))
+      legend += fmt::format("{}\t{{/:Italic A}} = {:.3g} kPa\n", name, 1e-3 * amplitude);
+  }
+  write_atomically(output.file("legend.dat"), legend);
 }
 
 void PulseCase::compare(const Ensembles& slides, std::map<std::string, double>& metrics) const {

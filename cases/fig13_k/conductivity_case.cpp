@@ -3,6 +3,7 @@
 
 #include "app/runout.hpp"
 #include "critical_conductivity.hpp"
+#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 
 namespace flowslide {
@@ -20,17 +21,30 @@ void ConductivityCase::compare(const Ensembles& slides, std::map<std::string, do
   compare_conductivities(slides, metrics);
 }
 
+std::vector<std::string> ConductivityCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  for (const std::string& name : slide_names()) tables.push_back(name + "_coarse");
+  tables.insert(tables.end(), {"sweep", "critical", "legend"});
+  return tables;
+}
+
 void ConductivityCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
-  for (const auto& [name, ensemble] : slides)
+  std::string legend;
+  for (const auto& [name, ensemble] : slides) {
+    if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_coarse.dat"),
                 {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
+    legend += name + "\t" + label_of_quantity(parameter_of(ensemble, "hydraulic_conductivity")) + "\n";
+  }
   const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
-  const Series sweep = sweep_series(axis, {{"RD", sweep_of(slides, "RD_")}, {"RI", sweep_of(slides, "RI_")}},
-                                    {"largest_velocity", "runout", "sliding_stopped"});
+  const auto over_k = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
+  const Series sweep =
+      sweep_series(axis, {{"RD", over_k("RD_")}, {"RI", over_k("RI_")}}, {"largest_velocity", "runout", "sliding_stopped"});
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
   write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
+  write_atomically(output.file("legend.dat"), legend);
 }
 
 }  // namespace flowslide

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <list>
-#include <set>
 #include <vector>
 
 namespace flowslide {
@@ -20,15 +19,19 @@ std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
   return parameters;
 }
 
-/// The sweep of one replicate, as ensembles of one; it lives as long as `kept`.
-std::vector<SweepMember> sweep_of_replicate(const std::vector<SweepMember>& sweep, int replicate,
-                                            std::list<Ensemble>& kept) {
+/// The sweep of one sample, as ensembles of one; it lives as long as `kept`.
+std::vector<SweepMember> sweep_on_sample(const std::vector<SweepMember>& sweep, const Result& first,
+                                         std::list<Ensemble>& kept) {
   std::vector<SweepMember> own;
+  const Ensemble reference{first};
   for (const SweepMember& member : sweep)
-    for (const Result& result : *member.ensemble)
-      if (result.provenance.replicate == replicate)
-        own.push_back({member.parameter, &kept.emplace_back(Ensemble{result})});
+    for (const auto& [a, result] : paired(reference, *member.ensemble))
+      own.push_back({member.parameter, &kept.emplace_back(Ensemble{*result})});
   return own;
+}
+
+std::vector<SweepMember> sweep_over_k(const Ensembles& slides, const char* prefix) {
+  return sweep_of(slides, prefix, "hydraulic_conductivity");
 }
 
 /// |v/v at k = 0 - 1| at the end of the pulse, of the medians; not numbers without k = 0.
@@ -40,12 +43,10 @@ std::vector<double> changes(const std::vector<SweepMember>& sweep) {
 }
 
 void add_critical(const std::vector<SweepMember>& sweep, std::map<std::string, double>& metrics) {
-  std::set<int> replicates;
-  for (const SweepMember& member : sweep)
-    for (const Result& result : *member.ensemble) replicates.insert(result.provenance.replicate);
   std::vector<double> middles, bounds;
-  for (const int replicate : replicates) {
-    const auto [lower, upper] = critical_conductivity(sweep, replicate);
+  if (sweep.empty()) return;
+  for (const Result& first : *sweep.front().ensemble) {
+    const auto [lower, upper] = critical_conductivity(sweep, first);
     if (!(lower > 0.0 && std::isfinite(upper))) continue;
     middles.push_back(std::sqrt(lower * upper));
     bounds.insert(bounds.end(), {lower, upper});
@@ -58,9 +59,9 @@ void add_critical(const std::vector<SweepMember>& sweep, std::map<std::string, d
 
 }  // namespace
 
-CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep, int replicate) {
+CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep, const Result& first) {
   std::list<Ensemble> kept;
-  const auto own = sweep_of_replicate(sweep, replicate, kept);
+  const auto own = sweep_on_sample(sweep, first, kept);
   const std::vector<double> change = changes(own);
   CriticalConductivity critical{nothing, nothing};
   for (std::size_t i = 0; i < own.size() && change[i] <= lost_share; ++i) critical.lower = own[i].parameter;
@@ -69,7 +70,7 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
 }
 
 void compare_conductivities(const Ensembles& slides, std::map<std::string, double>& metrics) {
-  const auto rd = sweep_of(slides, "RD_"), ri = sweep_of(slides, "RI_");
+  const auto rd = sweep_over_k(slides, "RD_"), ri = sweep_over_k(slides, "RI_");
   metrics["RD_velocity_order"] = rank_correlation(parameters_of(rd), medians_along(rd, "largest_velocity"));
   metrics["RD_runout_order"] = rank_correlation(parameters_of(rd), medians_along(rd, "runout"));
   add_critical(ri, metrics);
@@ -88,7 +89,7 @@ void compare_conductivities(const Ensembles& slides, std::map<std::string, doubl
 
 Series critical_series(const Ensembles& slides) {
   std::map<std::string, double> metrics;
-  add_critical(sweep_of(slides, "RI_"), metrics);
+  add_critical(sweep_over_k(slides, "RI_"), metrics);
   Series series;
   series.axis = {"critical_conductivity", "k", "m/s", "critical hydraulic conductivity by RI", "", {}};
   series.columns = {{"lower", "k", "m/s", "its lower bound", "", {}}, {"upper", "k", "m/s", "its upper bound", "", {}}};

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace flowslide {
 namespace {
@@ -15,9 +14,8 @@ constexpr const char* void_ratios[] = {loosest, "771", "765", "751"};
 /// Of a metric of the slides "<scheme>_e0_<name>"; not numbers if there are none.
 Statistics statistics(const Ensembles& slides, const std::string& scheme, const std::string& name,
                       const std::string& metric) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto found = slides.find(scheme + "_e0_" + name);
-  if (found == slides.end()) return {nothing, nothing, nothing, nothing, nothing, nothing};
+  if (found == slides.end()) return {};
   return statistics_of(values_of(found->second, metric));
 }
 

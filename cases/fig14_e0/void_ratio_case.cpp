@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "void_ratio_case.hpp"
 
+#include <fmt/format.h>
+
 #include "app/runout.hpp"
 #include "mobility.hpp"
+#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 
 namespace flowslide {
@@ -20,18 +23,43 @@ void VoidRatioCase::compare(const Ensembles& slides, std::map<std::string, doubl
   compare_void_ratios(slides, metrics);
 }
 
+void VoidRatioCase::read(const Configuration& configuration) {
+  for (const std::string& name : configuration.subtables("sample"))
+    if (const std::string key = "sample." + name + ".paper_void_ratio"; configuration.has(key))
+      paper_void_ratios_[name] = configuration.number(key, Range::inside(0.55, 1.0));
+  SlideCase::read(configuration);
+}
+
+std::vector<Metric> VoidRatioCase::more_parameters(const SlidePoint& point) const {
+  const auto found = paper_void_ratios_.find(point.sample.name);
+  const double value = found == paper_void_ratios_.end() ? point.sample.target.void_ratio : found->second;
+  return {{"paper_void_ratio", value, "1", "void ratio of the sample in the paper"}};
+}
+
+std::vector<std::string> VoidRatioCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  for (const std::string& name : slide_names()) tables.push_back(name + "_coarse");
+  tables.insert(tables.end(), {"sweep", "legend"});
+  return tables;
+}
+
 void VoidRatioCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
-  for (const auto& [name, ensemble] : slides)
+  std::string legend;
+  for (const auto& [name, ensemble] : slides) {
+    if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_coarse.dat"),
                 {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
-  const Column axis{"name", "e_0", "1", "void ratio of the paper's sample, in thousandths", "", {}};
+    legend += fmt::format("{}\t{:.3f}\n", name, parameter_of(ensemble, "paper_void_ratio"));
+  }
+  const Column axis{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}};
   const std::vector<std::string> metrics{"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress",
                                          "largest_velocity", "runout"};
-  const Series sweep =
-      sweep_series(axis, {{"RD", sweep_of(slides, "RD_e0_")}, {"RI", sweep_of(slides, "RI_e0_")}}, metrics);
+  const auto over_void_ratio = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
+  const Series sweep = sweep_series(axis, {{"RD", over_void_ratio("RD_")}, {"RI", over_void_ratio("RI_")}}, metrics);
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
+  write_atomically(output.file("legend.dat"), legend);
 }
 
 }  // namespace flowslide

@@ -42,7 +42,8 @@ void HardCase::read(const Configuration& configuration) {
 std::vector<Point> HardCase::points() const {
   std::vector<Point> points;
   const RunInputs inputs{suite_.engine, suite_.engine, suite_.inputs};
-  for (const Scene& scene : scenes_) points.push_back({scene.name, {}, scene.title, scene.seconds, {}, inputs});
+  for (const Scene& scene : scenes_)
+    points.push_back({scene.name, {}, scene.title, scene.seconds, {}, inputs, {scene.name + "_details"}});
   return points;
 }
 

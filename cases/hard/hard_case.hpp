@@ -11,6 +11,7 @@ class HardCase : public Case {
   CaseDescription description() const override;
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
+  std::vector<std::string> tables() const override { return {"trials"}; }
   void print_plan(const Point& point, std::ostream& out) const override;
   /// Writes <scene>.h5 and .dat, its trials as lines of Markdown in <scene>.md, and <scene>_details.dat if it has any.
   void run(const Point& point, const PointRun& run) const override;

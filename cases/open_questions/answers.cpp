@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace flowslide {
 namespace {
@@ -37,11 +38,13 @@ std::string number_of_grains(const Ensembles& slides, const std::string& slide) 
   return grains.empty() ? "-" : fmt::format("{:.0f}", grains.front());
 }
 
-/// The slides whose name starts so and that have a largest velocity, by size.
+/// The slides on grains whose name starts so and that have a largest velocity, by size.
 std::vector<std::string> sizes_in(const Ensembles& slides, const std::string& pulse) {
   std::vector<std::string> names;
   for (const auto& [name, ensemble] : slides)
-    if (name.starts_with(pulse) && !values_of(ensemble, "largest_velocity").empty()) names.push_back(name);
+    if (name.starts_with(pulse) && !values_of(ensemble, "largest_velocity").empty() &&
+        !values_of(ensemble, "grains").empty())
+      names.push_back(name);
   std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
     return values(slides, a, "grains").front() < values(slides, b, "grains").front();
   });
@@ -54,9 +57,10 @@ std::vector<SteadyState> steady_states(const Ensembles& slides) {
   std::vector<SteadyState> states;
   for (const auto& [name, ensemble] : slides) {
     if (!name.starts_with("flow_")) continue;
-    const std::vector<double> numbers = values_of(ensemble, "inertial_number"), frictions = values_of(ensemble, "friction");
-    for (std::size_t i = 0; i < std::min(numbers.size(), frictions.size()); ++i)
-      states.push_back({numbers[i], frictions[i]});
+    for (const Result& result : ensemble) {
+      const SteadyState state{metric_of(result, "inertial_number"), metric_of(result, "friction")};
+      if (std::isfinite(state.inertial_number + state.friction)) states.push_back(state);
+    }
   }
   return states;
 }
@@ -67,7 +71,7 @@ void add_answers(const Ensembles& slides, std::map<std::string, double>& metrics
   if (const auto all = liquefied_linearities(slides, "hold_glued"); !all.empty())
     metrics["largest_glued_linearity"] = statistics_of(all).highest;
   const std::vector<SteadyState> states = steady_states(slides);
-  if (states.size() < 4) return;
+  if (!tell_a_law(states)) return;
   const FrictionLaw law = fit_friction_law(states);
   metrics["mu_s"] = law.slow;
   metrics["mu_2"] = law.fast;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace flowslide {
 namespace {
@@ -28,6 +30,16 @@ FrictionLaw best_with(const std::vector<SteadyState>& states, double turning) {
   return {slow, slow + slope, turning};
 }
 
+/// The smallest and the largest I.
+std::pair<double, double> range_of(const std::vector<SteadyState>& states) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const SteadyState& state : states) {
+    low = std::min(low, state.inertial_number);
+    high = std::max(high, state.inertial_number);
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 FrictionLaw law_of_glass_beads() {
@@ -41,15 +53,16 @@ double deviation(const std::vector<SteadyState>& states, const FrictionLaw& law)
   return std::sqrt(sum / static_cast<double>(states.size()));
 }
 
+bool tell_a_law(const std::vector<SteadyState>& states) {
+  const auto [low, high] = range_of(states);
+  return states.size() >= 4 && low > 0.0 && high > low;
+}
+
 FrictionLaw fit_friction_law(const std::vector<SteadyState>& states) {
-  if (states.size() < 4)
-    throw std::invalid_argument("mu(I) has three numbers: fewer than four steady states do not tell them");
-  const auto [least, most] = std::minmax_element(
-      states.begin(), states.end(),
-      [](const SteadyState& a, const SteadyState& b) { return a.inertial_number < b.inertial_number; });
-  const double low = least->inertial_number, high = most->inertial_number;
-  if (!(low > 0.0) || !(high > low))
-    throw std::invalid_argument("mu(I) needs steady states of several inertial numbers above 0");
+  if (!tell_a_law(states))
+    throw std::invalid_argument("mu(I) has three numbers: fewer than four steady states do not tell them, nor do states "
+                                "of one inertial number, or of none above 0");
+  const auto [low, high] = range_of(states);
   FrictionLaw best = best_with(states, low);
   for (int k = 1; k <= searched; ++k) {
     const FrictionLaw law = best_with(states, low * std::pow(high / low, static_cast<double>(k) / searched));

@@ -24,6 +24,9 @@ struct SteadyState {
   double inertial_number = 0.0, friction = 0.0;
 };
 
+/// Whether states tell a law: four or more, with positive I that are not all one.
+bool tell_a_law(const std::vector<SteadyState>& states);
+
 /// The law that fits the states best: least squares of mu, I_0 between the smallest and the largest I of them. For a
 /// given I_0 the law is linear in mu_s and mu_2; I_0 is searched. Throws std::invalid_argument for fewer than four
 /// states, I that is not positive, or states of one I.

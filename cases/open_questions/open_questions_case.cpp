@@ -18,11 +18,14 @@ constexpr double smallest_number = 1e-4, largest_number = 3.0;
 
 Column friction_column(const std::string& name, const std::string& text) { return {name, "mu", "1", text, "", {}}; }
 
-Series laws_series(const FrictionLaw& fitted) {
+/// The law of glass beads and the one that fits the states; without rows if that is not known.
+Series laws_series(const std::vector<SteadyState>& states) {
   Series laws;
   laws.axis = {"inertial_number", "I", "1", "inertial number", "", {}};
   laws.columns = {friction_column("fitted", "friction by the fitted law"),
                   friction_column("glass_beads", "friction by the law of Jop et al. (2006) for glass beads")};
+  if (!tell_a_law(states)) return laws;
+  const FrictionLaw fitted = fit_friction_law(states);
   for (int k = 0; k <= law_rows; ++k) {
     const double number =
         smallest_number * std::pow(largest_number / smallest_number, static_cast<double>(k) / law_rows);
@@ -40,10 +43,12 @@ Series states_series(const Ensembles& slides, const std::string& start) {
                     {"void_ratio", "e", "1", "void ratio, which a constant volume keeps", "", {}}};
   for (const auto& [name, ensemble] : slides) {
     if (!name.starts_with(start)) continue;
-    const auto number = values_of(ensemble, "inertial_number"), friction = values_of(ensemble, "friction"),
-               rate = values_of(ensemble, "shear_rate"), void_ratio = values_of(ensemble, "initial_void_ratio");
-    for (std::size_t i = 0; i < std::min({number.size(), friction.size(), void_ratio.size()}); ++i)
-      states.append_row(number[i], std::array{friction[i], rate[i], void_ratio[i]});
+    for (const Result& result : ensemble) {
+      const double number = metric_of(result, "inertial_number"), friction = metric_of(result, "friction");
+      const double rate = metric_of(result, "shear_rate"), void_ratio = metric_of(result, "initial_void_ratio");
+      if (std::isfinite(number + friction + rate + void_ratio))
+        states.append_row(number, std::array{friction, rate, void_ratio});
+    }
   }
   return states;
 }
@@ -66,7 +71,8 @@ std::vector<Metric> OpenQuestionsCase::slide_metrics(const SlideOutcome& outcome
   const auto add = [&](const std::vector<Metric>& more) { metrics.insert(metrics.end(), more.begin(), more.end()); };
   if (!point.test) {
     add(std::holds_alternative<SinePulse>(point.settings.loading) ? pulse_runout(outcome)
-                                                                  : held_metrics(outcome.series, outcome.profiles));
+                                                                  : held_metrics(outcome.measures, outcome.profiles,
+                                                                                 outcome.series.last("velocity")));
     return metrics;
   }
   const Assembly grains = outcome.grains->assembly();
@@ -83,6 +89,13 @@ void OpenQuestionsCase::compare(const Ensembles& slides, std::map<std::string, d
   add_answers(slides, metrics);
 }
 
+std::vector<std::string> OpenQuestionsCase::tables() const {
+  std::vector<std::string> tables = SlideCase::tables();
+  tables.insert(tables.end(), {"sizes_glued", "sizes_homogeneous", "mu_of_I_loose", "mu_of_I_middle", "mu_of_I_dense",
+                               "mu_of_I_laws"});
+  return tables;
+}
+
 void OpenQuestionsCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
@@ -91,8 +104,7 @@ void OpenQuestionsCase::finish(const OutputFolder& output) const {
   for (const char* kind : {"loose", "middle", "dense"})
     write_table(output.file(std::string("mu_of_I_") + kind + ".dat"),
                 {{}, states_series(slides, std::string("flow_") + kind)});
-  if (const std::vector<SteadyState> states = steady_states(slides); states.size() >= 4)
-    write_table(output.file("mu_of_I_laws.dat"), {{}, laws_series(fit_friction_law(states))});
+  write_table(output.file("mu_of_I_laws.dat"), {{}, laws_series(steady_states(slides))});
   write_atomically(output.file("table.md"), answers_table(slides));
 }
 

@@ -15,6 +15,7 @@ class OpenQuestionsCase : public SlideCase {
   OpenQuestionsCase();
   /// Adds mu_of_I_<density>.dat and mu_of_I_laws.dat, sizes_<sample>.dat, and all answers in table.md.
   void finish(const OutputFolder& output) const override;
+  std::vector<std::string> tables() const override;
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override;

@@ -14,10 +14,6 @@
 namespace flowslide {
 namespace {
 
-double mean_beyond(const Series& series, const char* column, double strain) {
-  return mean_between(series, column, "shear_strain", strain, std::numeric_limits<double>::infinity());
-}
-
 /// Slope of the straight line that fits y over x best.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
   double x_mean = 0.0, y_mean = 0.0, xx = 0.0, xy = 0.0;
@@ -35,12 +31,13 @@ double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
 
 }  // namespace
 
-std::vector<Metric> held_metrics(const Series& series, const Series& profiles) {
-  const double shear = mean_beyond(series, "shear_stress", steady_strain);
-  const double normal = mean_beyond(series, "normal_stress", steady_strain);
-  std::vector<Metric> metrics{
-      {"steady_friction", shear / normal, "1", "mu_ss, mean tau over mean sigma beyond 50 % strain"},
-      {"final_velocity", series.column("velocity").values.back(), "m/s", "sliding velocity at the end"}};
+std::vector<Metric> held_metrics(const RunMeasures& measures, const Series& profiles, double final_velocity) {
+  const auto steady = [&](const char* column) {
+    return mean_over(measures.over_strain, column, steady_strain, std::numeric_limits<double>::infinity());
+  };
+  std::vector<Metric> metrics{{"steady_friction", steady("shear_stress") / steady("normal_stress"), "1",
+                               "mu_ss, mean tau over mean sigma beyond 50 % strain"},
+                              {"final_velocity", final_velocity, "m/s", "sliding velocity at the end"}};
   for (std::size_t i = 1; i <= profiles.columns.size() / 3; ++i)
     metrics.push_back({fmt::format("linearity_{}", i), linearity(profiles, fmt::format("velocity_{}", i)), "1",
                        "R^2 of a straight line through the velocity profile"});
@@ -48,7 +45,9 @@ std::vector<Metric> held_metrics(const Series& series, const Series& profiles) {
 }
 
 std::vector<Metric> flow_metrics(const Series& series, double shear_rate, double mean_diameter, double density) {
-  const auto steady = [&](const char* column) { return mean_beyond(series, column, steady_flow_strain); };
+  const auto steady = [&](const char* column) {
+    return mean_between(series, column, "shear_strain", steady_flow_strain, std::numeric_limits<double>::infinity());
+  };
   const double shear = steady("shear_stress") + steady("kinetic_shear_stress");
   const double normal = steady("normal_stress") + steady("kinetic_normal_stress"), mean = steady("mean_stress");
   const double number = mean > 0.0 ? inertial_number(shear_rate, mean_diameter, density, mean)

@@ -10,11 +10,11 @@ inline constexpr double probe_strain = 1e-3;
 /// slid over each other once.
 inline constexpr double steady_strain = 0.5, steady_flow_strain = 1.0;
 
-/// The numbers of a slide that is held at its driving stress, from its record and profiles:
+/// The numbers of a slide that is held at its driving stress; `final_velocity` is that of its last row:
 ///   steady_friction    mu_ss, mean tau over mean sigma beyond 50 % strain
 ///   final_velocity     m/s
 ///   linearity_<i>      R^2 of a straight line through the i-th profile of v_x
-std::vector<Metric> held_metrics(const Series& series, const Series& profiles);
+std::vector<Metric> held_metrics(const RunMeasures& measures, const Series& profiles, double final_velocity);
 
 /// The numbers of steady shear at constant volume, means over strain beyond 1, kinetic parts included:
 ///   shear_rate, steady_shear, steady_normal, steady_mean   1/s and Pa

@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
 
 namespace flowslide {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::optional<double> value_in(const Result& result, const std::string& name) {
-  for (const Metric& metric : result.metrics)
-    if (metric.name == name) return metric.value;
-  return std::nullopt;
-}
 
 double mean_of(const Ensemble& ensemble, const std::string& metric) {
   const std::vector<double> values = values_of(ensemble, metric);
@@ -58,17 +51,10 @@ QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const
   const Statistics exact = statistics_of(of_reference);
   QuantityError result{quantity, nothing, nothing, 0.0};
   std::vector<double> differences;
-  bool complete = true;
-  for (const Result& a : setting)
-    for (const Result& b : reference) {
-      if (a.provenance.replicate != b.provenance.replicate) continue;
-      const auto ours = value_in(a, quantity), theirs = value_in(b, quantity);
-      complete = complete && ours && theirs;
-      if (ours && theirs) differences.push_back(*ours - *theirs);
-    }
+  for (const auto& [ours, theirs] : paired_values(paired(setting, reference), quantity))
+    differences.push_back(ours - theirs);
   const double scale = std::abs(exact.mean);
   result.spread = (exact.highest - exact.lowest) / scale;
-  if (!complete || differences.empty()) return result;
   const Statistics all = statistics_of(differences);
   result.error = std::abs(all.mean) / scale;
   if (differences.size() > 1) result.standard_error = all.standard_error / scale;

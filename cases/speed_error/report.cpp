@@ -102,21 +102,21 @@ std::string paper_text(const Report& report, Scene scene) {
 
 void write_plot_tables(const std::filesystem::path& folder, const Report& report) {
   for (const Scene scene : all_scenes) {
-    std::string all = "# label\taxis\tseconds\tgrain steps\terror over spread\tbelow noise\n";
+    std::string all = "# label\taxis\tseconds\tgrain_steps\terror_over_spread\tbelow_noise\n";
     for (const SettingError& row : report.errors)
       if (row.axis->scene == scene && std::isfinite(row.error_over_spread))
         all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title,
                            row.seconds, row.grain_steps, std::max(row.error_over_spread, least_shown),
                            row.below_noise() ? 1 : 0);
     write_atomically(folder / ("errors_" + name_of(scene) + ".dat"), all);
-    std::string front = "# label\tseconds\terror over spread\n";
+    std::string front = "# label\tseconds\terror_over_spread\n";
     for (const Candidate& candidate : report.candidates.at(scene))
       if (candidate.on_front)
         front += fmt::format("\"{}\"\t{}\t{}\n", label_of(candidate.setting, scene), candidate.seconds,
                              std::max(candidate.error_over_spread, least_shown));
     write_atomically(folder / (name_of(scene) + "_front.dat"), front);
   }
-  std::string paper = "# scene\tseconds with LIGGGHTS at the paper's settings\n";
+  std::string paper = "# scene\tseconds\n";
   for (const auto& [scene, cost] : report.paper) paper += fmt::format("{}\t{}\n", name_of(scene), cost.seconds());
   write_atomically(folder / "paper.dat", paper);
 }

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "app/runout.hpp"
+
 namespace flowslide {
 namespace {
 
 constexpr double peak_before = 0.02;       ///< strain within which a loose sample has its peak
 constexpr double liquefied = 0.1;          ///< share of the first sigma
 constexpr double half = 0.5;               ///< strain
-constexpr double velocity_window = 0.1;    ///< s
-constexpr double rounding = 1e-9;          ///< of a number of windows
+constexpr double half_width = 5e-3;        ///< of the window about it
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Peak {
@@ -33,11 +34,10 @@ Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, c
   return {at[top] + shift, values[top] + shift * (slope + shift * curvature)};
 }
 
-/// `at` where `values` first passes `level`, upwards or downwards from its first value, by a straight line.
-double first_passage(const std::vector<double>& at, const std::vector<double>& values, double level) {
-  const bool up = values.front() < level;
+/// `at` where `values` first falls to `level`, which is below the first of them, by a straight line.
+double first_fall(const std::vector<double>& at, const std::vector<double>& values, double level) {
   for (std::size_t row = 1; row < values.size(); ++row) {
-    if (up ? values[row] < level : values[row] > level) continue;
+    if (values[row] > level) continue;
     const double share = (level - values[row - 1]) / (values[row] - values[row - 1]);
     return at[row - 1] + share * (at[row] - at[row - 1]);
   }
@@ -51,29 +51,21 @@ std::vector<Metric> element_metrics(const Series& series) {
   const auto& normal = column("normal_stress");
   return {{"peak_shear_stress", peak.value, "Pa", "largest shear stress up to 2 % strain"},
           {"strain_at_peak", peak.place, "1", "shear strain at that stress"},
-          {"strain_at_liquefaction", first_passage(strain, normal, liquefied * normal.front()), "1",
+          {"strain_at_liquefaction", first_fall(strain, normal, liquefied * normal.front()), "1",
            "shear strain where sigma falls below a tenth of what it was"}};
 }
 
-std::vector<Metric> trigger_metrics(const Series& series) {
-  const auto column = [&](const char* name) -> const std::vector<double>& { return series.column(name).values; };
-  const auto& strain = column("shear_strain");
-  return {{"instability_time", peak_of(series.axis.values, column("shear_stress"), strain).place, "s",
-           "time of the largest shear stress up to 2 % strain"},
-          {"velocity_at_half", first_passage(column("velocity"), strain, half), "m/s",
-           "sliding velocity at 50 % strain"}};
+std::vector<Metric> trigger_metrics(const RunMeasures& measures) {
+  const bool reached = end_of(measures.over_strain) >= half + half_width;
+  const double velocity = mean_over(measures.over_strain, "velocity", half - half_width, half + half_width);
+  return {{"instability_time", measures.peak_to_2.time, "s", "time of the largest shear stress up to 2 % strain"},
+          {"velocity_at_half", reached ? velocity : nothing, "m/s", "sliding velocity at 50 % strain"}};
 }
 
-std::vector<Metric> pulse_metrics(const Series& series) {
-  double largest = nothing;
-  const double end = series.axis.values.back();
-  const int windows = static_cast<int>(std::floor(2.0 * end / velocity_window + rounding)) - 1;  // half overlap
-  for (int window = 0; window < windows; ++window) {
-    const double from = 0.5 * velocity_window * window;
-    largest = std::fmax(largest, mean_between(series, "velocity", "time", from, from + velocity_window));
-  }
-  return {{"largest_velocity", largest, "m/s", "largest sliding velocity, as a mean over 0.1 s"},
-          {"runout", series.column("displacement").values.back(), "m", "sliding distance at the end"}};
+std::vector<Metric> pulse_metrics(const SlideOutcome& outcome) {
+  return {{"largest_velocity", largest_velocity(outcome.measures.over_time), "m/s",
+           "largest sliding velocity, as a mean over 0.1 s"},
+          {"runout", outcome.series.last("displacement"), "m", "sliding distance at the end"}};
 }
 
 }  // namespace
@@ -96,9 +88,9 @@ std::vector<std::string> quantities_of(Scene scene) {
 std::vector<Metric> scene_metrics(const SlideOutcome& outcome) {
   const Scene scene = scene_of(outcome.point);
   std::vector<Metric> metrics = scene == Scene::element   ? element_metrics(outcome.series)
-                                : scene == Scene::trigger ? trigger_metrics(outcome.series)
-                                                          : pulse_metrics(outcome.series);
-  metrics.push_back({"duration", outcome.series.axis.values.back(), "s", "end of the record"});
+                                : scene == Scene::trigger ? trigger_metrics(outcome.measures)
+                                                          : pulse_metrics(outcome);
+  metrics.push_back({"duration", outcome.series.last("time"), "s", "end of the record"});
   if (outcome.grains == nullptr) return metrics;
   const auto grains = static_cast<double>(outcome.grains->size());
   const auto steps = static_cast<double>(outcome.grains->steps());

@@ -26,7 +26,7 @@ std::vector<std::string> quantities_of(Scene scene);
 ///            strain_at_peak          1, the strain there
 ///            strain_at_liquefaction  1, where sigma first falls below a tenth of what it was
 ///   trigger  instability_time        s, when tau is largest up to 2 % strain: from then on tau falls while tau_d grows
-///            velocity_at_half        m/s, v where the strain first reaches 50 %
+///            velocity_at_half        m/s, mean of v over 49.5 to 50.5 % strain
 ///   pulse    largest_velocity        m/s, largest mean of v over 0.1 s
 ///            runout                  m, sliding distance at the end
 /// and of all with grains: grains, steps, grain_steps (1), processor_seconds (s, of the sample's strain() alone: no

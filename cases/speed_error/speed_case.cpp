@@ -17,15 +17,14 @@ double mean_of(const Ensemble& ensemble, const std::string& metric) {
 SpeedCase::SpeedCase()
     : SlideCase({"speed_error", "Speed against error of every choice", FLOWSLIDE_VERSION, {"speed_error"}, {}}) {}
 
-const SlidePoint& SpeedCase::planned(const std::string& setting) const {
-  return *std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == setting; });
+const SlidePoint* SpeedCase::planned(const std::string& setting) const {
+  const auto found =
+      std::find_if(slides().begin(), slides().end(), [&](const SlidePoint& s) { return s.name == setting; });
+  return found == slides().end() ? nullptr : &*found;
 }
 
 const SlidePoint* SpeedCase::find(const Configuration& configuration, const std::string& key) const {
-  const std::string name = configuration.text(key, configuration.subtables("point"));
-  for (const SlidePoint& slide : slides())
-    if (slide.name == name) return &slide;
-  return nullptr;
+  return planned(configuration.text(key, configuration.subtables("point")));
 }
 
 void SpeedCase::read_axis(const Configuration& configuration, const std::string& name) {
@@ -40,7 +39,7 @@ void SpeedCase::read_axis(const Configuration& configuration, const std::string&
   axis.reference = reference->name;
   axis.scene = scene_of(*reference);
   for (const std::string& setting : axis.settings)
-    if (scene_of(planned(setting)) != axis.scene)
+    if (const SlidePoint* own = planned(setting); own != nullptr && scene_of(*own) != axis.scene)
       configuration.refuse(table + "settings", "'" + setting + "' is not of the scene of the reference, " +
                            name_of(axis.scene), "compare settings of one scene");
   axes_.push_back(axis);
@@ -55,10 +54,7 @@ void SpeedCase::read(const Configuration& configuration) {
   for (const Scene scene : all_scenes) {
     const std::string key = "liggghts." + name_of(scene);
     const SlidePoint* clock = find(configuration, key);
-    if (clock == nullptr) continue;
-    if (scene_of(*clock) != scene)
-      configuration.refuse(key, "is not a setting of that scene", "name one of the tables [point.<name>] that is");
-    clocks_[scene] = clock->name;
+    if (clock != nullptr && scene_of(*clock) == scene) clocks_[scene] = clock->name;  // another loading is another scene
   }
 }
 
@@ -69,7 +65,7 @@ Report SpeedCase::report_on(const Ensembles& runs) const {
     const auto name = clocks_.find(scene);
     const auto clock = name == clocks_.end() ? runs.end() : runs.find(name->second);
     if (clock == runs.end() || values_of(clock->second, "processor_seconds").empty()) continue;
-    const double duration = scene == Scene::element ? planned(clock->first).test->final_strain / paper_rate_
+    const double duration = scene == Scene::element ? planned(clock->first)->test->final_strain / paper_rate_
                                                     : mean_of(clock->second, "duration");
     report.paper[scene] = {paper_grains_, duration / paper_time_step_,
                            mean_of(clock->second, "processor_seconds") / mean_of(clock->second, "grain_steps")};
@@ -91,6 +87,12 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
     if (!values_of(reference, "steps").empty())
       metrics[axis + "." + row.setting + ".steps_share"] = row.steps / mean_of(reference, "steps");
   }
+}
+
+std::vector<std::string> SpeedCase::tables() const {
+  std::vector<std::string> tables{"paper"};  // and table.h5, which every case may have
+  for (const Scene scene : all_scenes) tables.insert(tables.end(), {"errors_" + name_of(scene), name_of(scene) + "_front"});
+  return tables;
 }
 
 void SpeedCase::finish(const OutputFolder& output) const {

@@ -14,6 +14,7 @@ class SpeedCase : public SlideCase {
   void read(const Configuration& configuration) override;
   /// Adds the report (see write_report), and prints the table on stderr.
   void finish(const OutputFolder& output) const override;
+  std::vector<std::string> tables() const override;
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override { return scene_metrics(outcome); }
@@ -25,8 +26,9 @@ class SpeedCase : public SlideCase {
 
  private:
   Report report_on(const Ensembles& runs) const;
-  const SlidePoint& planned(const std::string& setting) const;
-  /// The slide or test that `key` names; null if this run has none of that name.
+  /// The slide or test of that name; null if this run has none.
+  const SlidePoint* planned(const std::string& setting) const;
+  /// The one that `key` names.
   const SlidePoint* find(const Configuration& configuration, const std::string& key) const;
   void read_axis(const Configuration& configuration, const std::string& name);
 

@@ -27,6 +27,7 @@ struct Point {
   double predicted_seconds = 0.0;     ///< on one core, with its samples in the cache
   std::string sample = {};            ///< the prepared sample that it needs, in letters, digits and "_"; empty: none
   RunInputs inputs = {};              ///< what else decides its result
+  std::vector<std::string> tables = {};  ///< names, without an ending, of what it writes beside files of its own name
 };
 
 /// What a point needs to be run.
@@ -54,6 +55,8 @@ class Case {
   /// Reads all that the configuration may hold. Called once, before the rest.
   virtual void read(const Configuration& configuration) = 0;
   virtual std::vector<Point> points() const = 0;
+  /// Names, without an ending, of what finish() writes: no point may be named so.
+  virtual std::vector<std::string> tables() const { return {}; }
   /// What a point would do: engine commands, steps, time. For --dry-run. Collective over the MPI
   /// ranks, as engines are made by all of them; `out` shows what the first writes.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
@@ -62,7 +65,8 @@ class Case {
   /// Runs a point, from where its checkpoints say, and writes its files, <point>.h5 last: a point is complete with
   /// that, and its checkpoints go. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;
-  /// The numbers that claims are about, from the files of these points. A number that does not exist is left out.
+  /// The numbers that claims are about, from the files of these points. A number that does not exist is left out, and a
+  /// claim about it is not evaluated.
   virtual std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                                 const std::vector<std::string>& points) const = 0;
   /// Writes what the figures need besides the tables of the points. Called before claims are checked.

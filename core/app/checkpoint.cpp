@@ -12,7 +12,7 @@
 namespace flowslide {
 namespace {
 
-constexpr const char *part = "checkpoint", *complete_profiles = "complete_profiles";
+constexpr const char *part = "checkpoint", *complete_profiles = "complete_profiles", *measured = "measured";
 
 /// Calls `visit(name, member)` for each number of a state; the one list that writing and reading share.
 template <typename State, typename Visit>
@@ -83,6 +83,57 @@ std::vector<ProfileSums> read_profiles(const hdf5::Group& parent) {
   return profiles;
 }
 
+/// Calls `visit(name, windows)` for the windows of a record.
+template <typename Record, typename Visit>
+void for_each_window(Record& record, Visit&& visit) {
+  visit("over_time", record.over_time);
+  visit("over_strain", record.over_strain);
+  visit("over_displacement", record.over_displacement);
+}
+
+void write_exchanges(hdf5::Group& parent, const ExchangeRecord& record) {
+  auto group = parent.create_group("exchanges");
+  for_each_number_of(record, WriteNumber{group});
+  for_each_window(record, [&](const char* name, const WindowRecord& windows) {
+    auto one = group.create_group(name);
+    write_series(one, "means", windows.means);
+    one.set_attribute("width", windows.width);
+    one.set_attribute("number", windows.number);
+    one.set_attribute("begin", windows.begin);
+    one.set_attribute("at", windows.at);
+    one.write<double>("values", windows.values, {windows.values.size()});
+    one.write<double>("sums", windows.sums, {windows.sums.size()});
+  });
+}
+
+std::vector<double> read_finite(const hdf5::Group& group, const char* name, std::size_t size) {
+  std::vector<double> values = group.read<double>(name, {size});
+  for (const double value : values)
+    if (!std::isfinite(value)) throw CorruptFileError(fmt::format("{}: {} is not finite", group.label(), name));
+  return values;
+}
+
+ExchangeRecord read_exchanges(const hdf5::Group& parent) {
+  const auto group = parent.group("exchanges");
+  ExchangeRecord record;
+  for_each_number_of(record, ReadNumber{group});
+  for_each_window(record, [&](const char* name, WindowRecord& windows) {
+    const auto one = group.group(name);
+    const ReadNumber read{one};
+    windows.means = read_series(one, "means");
+    read("width", windows.width);
+    read("number", windows.number);
+    read("begin", windows.begin);
+    read("at", windows.at);
+    const std::size_t size = windows.number > 0 ? windows.means.columns.size() : 0;
+    windows.values = read_finite(one, "values", size);
+    windows.sums = read_finite(one, "sums", size);
+    if (!(windows.width > 0.0 && windows.at >= windows.begin))
+      throw CorruptFileError(one.label() + ": windows that are not in order");
+  });
+  return record;
+}
+
 void write_slide(hdf5::Group& parent, const SlideCheckpoint& slide) {
   auto group = parent.create_group("slide");
   for_each_number(slide.state, WriteNumber{group});
@@ -92,6 +143,7 @@ void write_slide(hdf5::Group& parent, const SlideCheckpoint& slide) {
   group.set_attribute("next_row_time", slide.next_time);
   group.set_attribute("next_row_strain", slide.next_strain);
   write_profiles(group, slide.profiles);
+  write_exchanges(group, slide.exchanges);
   if (!slide.complete_profiles.columns.empty()) write_series(group, complete_profiles, slide.complete_profiles);
 }
 
@@ -106,6 +158,7 @@ SlideCheckpoint read_slide(const hdf5::Group& parent) {
   slide.next_time = group.number_attribute("next_row_time");
   slide.next_strain = group.number_attribute("next_row_strain");
   slide.profiles = read_profiles(group);
+  slide.exchanges = read_exchanges(group);
   if (group.has(complete_profiles)) slide.complete_profiles = read_series(group, complete_profiles);
   return slide;
 }
@@ -172,6 +225,7 @@ void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint) {
   group.set_attribute("share_done", checkpoint.share_done);
   write_sample(group, checkpoint.sample);
   if (checkpoint.slide) write_slide(group, *checkpoint.slide);
+  if (!checkpoint.measured.columns.empty()) write_series(group, measured, checkpoint.measured);
   auto shots = group.create_group("shots");
   for (std::size_t i = 0; i < checkpoint.shots.size(); ++i) {
     auto shot = shots.create_group(fmt::format("{}", i));
@@ -188,6 +242,7 @@ Checkpoint read_checkpoint(const hdf5::Group& root) {
   checkpoint.share_done = group.number_attribute("share_done");
   checkpoint.sample = read_sample(group);
   if (group.has("slide")) checkpoint.slide = read_slide(group);
+  if (group.has(measured)) checkpoint.measured = read_series(group, measured);
   const auto shots = group.group("shots");
   for (std::size_t i = 0; i < shots.names().size(); ++i) {
     const auto shot = shots.group(fmt::format("{}", i));

@@ -20,6 +20,7 @@ struct SlideCheckpoint {
   double next_strain = 0.0;
   std::vector<ProfileSums> profiles;   ///< begun and complete
   Series complete_profiles = {};       ///< as at the end of a run, for who looks on; without columns if there are none
+  ExchangeRecord exchanges{};          ///< what metrics are made of, so far
 };
 
 /// Grains at a moment, for a picture.
@@ -36,10 +37,12 @@ struct Checkpoint {
   SampleState sample;
   std::optional<SlideCheckpoint> slide;  ///< of a slide; an element test stands at the last of its rows
   std::vector<Shot> shots;
+  Series measured = {};                  ///< of an element test, see ElementTestRecord; else without columns
 };
 
 /// Writes it below `root`: as write_result does, so that what reads results reads the rows so far as well, and
-/// /checkpoint with the rest: sample/numbers, sample/grains (see write_assembly), slide, profiles, shots.
+/// /checkpoint with the rest: sample/numbers, sample/grains (see write_assembly), slide, profiles, exchanges, shots,
+/// measured.
 /// Throws std::invalid_argument as write_result.
 void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint);
 

@@ -84,8 +84,9 @@ Verdict judge(const Claim& claim, const std::map<std::string, double>& metrics) 
     verdict.reason = fmt::format("the metric \"{}\" is {}, not a finite number", claim.metric, verdict.measured);
     return verdict;
   }
-  verdict.met = holds(claim, verdict.measured);
-  verdict.reason = fmt::format("{:.4g} is {}{}", verdict.measured, verdict.met ? "" : "not ", claim.expectation());
+  const bool met = holds(claim, verdict.measured);
+  verdict.ruling = met ? Ruling::met : Ruling::not_met;
+  verdict.reason = fmt::format("{:.4g} is {}{}", verdict.measured, met ? "" : "not ", claim.expectation());
   return verdict;
 }
 
@@ -147,8 +148,21 @@ std::vector<Verdict> evaluate(const std::vector<Claim>& claims, const std::map<s
   return verdicts;
 }
 
-bool all_met(const std::vector<Verdict>& verdicts) {
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.met; });
+std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::string& reason) {
+  for (Verdict& verdict : verdicts) {
+    verdict.ruling = Ruling::not_evaluated;
+    verdict.reason = reason;
+  }
+  return verdicts;
+}
+
+bool is_one_not_met(const std::vector<Verdict>& verdicts) {
+  return std::any_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.ruling == Ruling::not_met; });
+}
+
+std::string_view name_of(Ruling ruling) {
+  return ruling == Ruling::met ? "met" : ruling == Ruling::not_met ? "not met" : "not evaluated";
 }
 
 }  // namespace flowslide

@@ -36,11 +36,17 @@ struct Claim {
   std::string expectation() const;
 };
 
+/// What is said of a claim. Nothing is said of one whose number was not measured, or that other settings were run for.
+enum class Ruling { met, not_met, not_evaluated };
+
+/// "met", "not met", "not evaluated".
+std::string_view name_of(Ruling ruling);
+
 /// A claim with what was measured.
 struct Verdict {
   Claim claim;
   double measured = std::numeric_limits<double>::quiet_NaN();  ///< in the unit of the claim; NaN when missing
-  bool met = false;
+  Ruling ruling = Ruling::not_evaluated;
   std::string reason;  ///< one clause: the comparison, or why there is none
 
   /// "0.0871 Pa"; "-" when nothing was measured.
@@ -55,19 +61,24 @@ std::vector<Claim> load_claims(const Configuration& configuration);
 /// Those that are made at a scale.
 std::vector<Claim> claims_at(const std::vector<Claim>& claims, std::string_view scale);
 
-/// One verdict per claim, in order. A metric that is missing or not finite is not met, and the reason says so.
+/// One verdict per claim, in order. A claim whose metric is missing or not finite is not evaluated; the reason says so.
 std::vector<Verdict> evaluate(const std::vector<Claim>& claims, const std::map<std::string, double>& metrics);
 
-/// Whether every claim is met.
-bool all_met(const std::vector<Verdict>& verdicts);
+/// The same verdicts, with what was measured, where no claim is to be evaluated for one reason.
+std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::string& reason);
 
-/// For a terminal: aligned columns `met`/`NOT MET`, figure, claim, expected, measured, and the reason of those not met.
+/// Whether a claim is evaluated and not met.
+bool is_one_not_met(const std::vector<Verdict>& verdicts);
+
+/// For a terminal: aligned columns `met`, `NOT MET` or `not evaluated`, figure, claim, expected, measured, and the reason
+/// of those that are not met.
 std::string terminal_table(const std::vector<Verdict>& verdicts);
 /// For README: figure, what the paper says, expected, measured, verdict, origin of the tolerance.
 std::string markdown_table(const std::vector<Verdict>& verdicts);
-/// An array of objects; a number that is not finite is null.
+/// An array of objects; "met" is true, false, or null if the claim is not evaluated; a number that is not finite is null.
 std::string json(const std::vector<Verdict>& verdicts);
-/// Blank-separated columns with a "#" header: id, measured, threshold, upper threshold, met (1 or 0); texts in quotes.
+/// Blank-separated columns with a "#" header: id, measured, threshold, upper threshold, met (1, 0, or NaN if it is not evaluated);
+/// texts in quotes.
 std::string data_table(const std::vector<Verdict>& verdicts);
 
 }  // namespace flowslide

@@ -29,6 +29,13 @@ std::string json_text(std::string_view text) {
 
 std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
+const char* json_met(Ruling ruling) {
+  return ruling == Ruling::met ? "true" : ruling == Ruling::not_met ? "false" : "null";
+}
+const char* data_met(Ruling ruling) {
+  return ruling == Ruling::met ? "1" : ruling == Ruling::not_met ? "0" : "NaN";
+}
+
 /// A cell of a Markdown table: no bar ends it early, no line break ends the row.
 std::string markdown_cell(std::string_view text) {
   std::string cell;
@@ -57,7 +64,7 @@ std::string terminal_table(const std::vector<Verdict>& verdicts) {
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"", "figure", "claim", "expected", "measured"}};
   for (const Verdict& verdict : verdicts) {
-    rows.push_back({verdict.met ? "met" : "NOT MET", verdict.claim.figure, verdict.claim.id,
+    rows.push_back({verdict.ruling == Ruling::not_met ? "NOT MET" : std::string(name_of(verdict.ruling)), verdict.claim.figure, verdict.claim.id,
                     verdict.claim.expectation(), verdict.measurement()});
   }
   std::array<std::size_t, 5> widths{};
@@ -71,8 +78,10 @@ std::string terminal_table(const std::vector<Verdict>& verdicts) {
       line += fmt::format("{:<{}}  ", rows[i][column], widths[column]);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
-    if (i > 0 && !verdicts[i - 1].met)
-      text += fmt::format("         {} ({})\n", verdicts[i - 1].reason, verdicts[i - 1].claim.sentence);
+    if (i == 0 || verdicts[i - 1].ruling == Ruling::met) continue;
+    const Verdict& verdict = verdicts[i - 1];
+    const bool said = i > 1 && verdict.reason == verdicts[i - 2].reason;  // once for all that share it
+    text += fmt::format("         {}({})\n", said ? "" : verdict.reason + " ", verdict.claim.sentence);
   }
   return text;
 }
@@ -82,7 +91,9 @@ std::string markdown_table(const std::vector<Verdict>& verdicts) {
       "| Figure | The paper says | Expected | Measured | Verdict | Origin of the tolerance |\n"
       "|---|---|---|---|---|---|\n";
   for (const Verdict& verdict : verdicts) {
-    const std::string word = verdict.met ? "met" : fmt::format("**not met**: {}", verdict.reason);
+    const std::string_view name = name_of(verdict.ruling);
+    const std::string word =
+        verdict.ruling == Ruling::met ? std::string(name) : fmt::format("**{}**: {}", name, verdict.reason);
     text += fmt::format(
         "| {} | {} | {} | {} | {} | {} |\n", markdown_cell(verdict.claim.figure), markdown_cell(verdict.claim.sentence),
         markdown_cell(fmt::format("`{}` {}", verdict.claim.metric, verdict.claim.expectation())),
@@ -102,7 +113,7 @@ std::string json(const std::vector<Verdict>& verdicts) {
     text += fmt::format("\"threshold\": {}, \"upper_threshold\": {}, \"unit\": {}, \"origin\": {}, ",
                         json_number(claim.threshold), json_number(claim.upper_threshold), json_text(claim.unit),
                         json_text(claim.origin));
-    text += fmt::format("\"measured\": {}, \"met\": {}, \"reason\": {}}}", json_number(verdict.measured), verdict.met,
+    text += fmt::format("\"measured\": {}, \"met\": {}, \"reason\": {}}}", json_number(verdict.measured), json_met(verdict.ruling),
                         json_text(verdict.reason));
   }
   return text + (verdicts.empty() ? "]\n" : "\n]\n");
@@ -113,7 +124,7 @@ std::string data_table(const std::vector<Verdict>& verdicts) {
   for (const Verdict& verdict : verdicts) {
     const Claim& claim = verdict.claim;
     text += fmt::format("{} {} {} {} {} {} {} {}\n", data_text(claim.id), verdict.measured, claim.threshold,
-                        claim.upper_threshold, data_text(claim.unit), verdict.met ? 1 : 0, data_text(claim.figure),
+                        claim.upper_threshold, data_text(claim.unit), data_met(verdict.ruling), data_text(claim.figure),
                         data_text(claim.sentence));
   }
   return text;

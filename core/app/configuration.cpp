@@ -23,6 +23,7 @@ Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.st
                     "another --scale",
                     origin_, layers.scale, list_of(scales), layers.scale));
   }
+  published_ = entries_;
   if (layers.user_file) lay_over(*layers.user_file, layers.scale, scales);
   for (const Override& item : layers.overrides) overlay(entries_, read_option(item.key, item.value, item.option));
   index_entries();
@@ -30,7 +31,7 @@ Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.st
 
 Configuration Configuration::from_text(std::string_view toml, std::string origin) {
   Configuration configuration;
-  configuration.entries_ = read_entries(toml, origin);
+  configuration.entries_ = configuration.published_ = read_entries(toml, origin);
   configuration.origin_ = std::move(origin);
   configuration.index_entries();
   return configuration;
@@ -213,6 +214,31 @@ void Configuration::reject_unknown() const {
   for (const Entry& entry : unselected_)
     if (!is_known(entry.key) && !is_known_elsewhere(entry.key)) check(entry);
   if (!messages.empty()) throw ConfigurationError(fmt::format("{}", fmt::join(messages, "\n")));
+}
+
+bool Configuration::is_published(std::string_view key) const {
+  return std::any_of(published_.begin(), published_.end(), [&](const Entry& entry) { return entry.key == key; });
+}
+
+std::vector<Change> Configuration::changes() const {
+  const auto same = [](const Entry& a, const Entry& b) {
+    const auto equal = [](const Scalar& one, const Scalar& other) { return one.value == other.value; };
+    return a.kind == b.kind && (a.kind == Entry::Kind::list
+                                    ? std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), equal)
+                                    : equal(a.whole, b.whole));
+  };
+  std::vector<Change> changes;
+  for (const Entry& entry : entries_) {
+    const auto value = resolved_.find(entry.key);
+    if (value == resolved_.end()) continue;
+    const auto before = std::find_if(published_.begin(), published_.end(),
+                                     [&](const Entry& published) { return published.key == entry.key; });
+    if (before == published_.end())
+      changes.push_back({entry.key, value->second, ""});
+    else if (!same(entry, *before))
+      changes.push_back({entry.key, value->second, before->whole.written});
+  }
+  return changes;
 }
 
 std::string Configuration::resolved() const {

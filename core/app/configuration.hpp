@@ -27,6 +27,13 @@ struct Override {
   std::string option;  ///< what to call it in a message: "--set sample.confining_stress=3 kPa", "--seed 7"
 };
 
+/// A value that --config, --set or another option has changed.
+struct Change {
+  std::string key;
+  std::string value;   ///< as resolved() has it: "2000.0  # Pa"
+  std::string before;  ///< as the case file has it, as written; empty where that has none
+};
+
 /// Where a configuration comes from; what stands later in this list wins.
 struct Layers {
   std::filesystem::path case_file;                 ///< case.toml: its part outside [scale] ...
@@ -103,6 +110,12 @@ class Configuration {
   /// readers took from elsewhere. Call it once all is read.
   void reject_unknown() const;
 
+  /// Whether the case file, at this scale, has the key.
+  bool is_published(std::string_view key) const;
+  /// The values that were read and that the case file, at this scale, has not or has otherwise. A value in another unit
+  /// counts as another.
+  std::vector<Change> changes() const;
+
   /// All that was read, as canonical TOML: dotted keys, sorted, numbers in the shortest form that gives the same double
   /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives
   /// the same configuration.
@@ -127,6 +140,7 @@ class Configuration {
   std::string origin_;                                   ///< the first file
   std::vector<Entry> entries_;                           ///< in file order, parents before children
   std::map<std::string, std::size_t, std::less<>> positions_;  ///< of the keys in entries_
+  std::vector<Entry> published_;                         ///< those of the case file at this scale
   std::vector<Entry> unselected_;                        ///< of scales that were not chosen: checked for spelling only
   mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
   mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them

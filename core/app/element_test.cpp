@@ -19,7 +19,8 @@ namespace {
 /// Steps that no computer ever takes, and that a double still counts one by one.
 constexpr double most_steps = 1e15;
 
-std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate) {
+/// Stands at a shear strain, which is given: a sum over the runs so far would depend on how many there were.
+std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate, double strain) {
   const Material& material = sample.settings().material;
   const ContactForces forces = evaluate_contact_forces(assembly, material, sample.settings().time_step);
   const SlopeStress bagi = slope_stress(bagi_stress(assembly, forces));
@@ -27,7 +28,7 @@ std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, do
   const SlopeStress kinetic = slope_stress(kinetic_stress(assembly, material));
   const double mean = bulk_mean_stress(assembly, forces, material);
   const CellStress told = sample.stress();
-  return {sample.shear_strain(),
+  return {strain,
           told.shear,
           told.normal,
           mean,
@@ -52,11 +53,11 @@ std::int64_t ElementTest::steps(double time_step) const {
   return std::max<std::int64_t>(1, std::llround(exact));
 }
 
-std::vector<std::int64_t> ElementTest::row_steps(double time_step) const {
+std::vector<std::int64_t> ElementTest::row_steps(double time_step, int count) const {
   const std::int64_t last = steps(time_step);
   std::vector<std::int64_t> at{0};
-  for (int k = 1; k <= rows; ++k) {
-    const double share = static_cast<double>(k) / rows;
+  for (int k = 1; k <= count; ++k) {
+    const double share = static_cast<double>(k) / count;
     const auto step = static_cast<std::int64_t>(std::llround(share * share * static_cast<double>(last)));
     if (step > at.back()) at.push_back(step);
   }
@@ -85,25 +86,33 @@ Series element_test_series() {
   return series;
 }
 
-Series run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe, Series so_far) {
-  Series series = std::move(so_far);
+ElementTestRecord run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe,
+                                   ElementTestRecord so_far) {
+  ElementTestRecord record = std::move(so_far);
   const double time_step = sample.settings().time_step;
-  const std::vector<std::int64_t> rows = test.row_steps(time_step);
-  if (series.rows() > rows.size())
-    throw std::invalid_argument(fmt::format("an element test of {} rows cannot go on from {}", rows.size(),
-                                            series.rows()));
-  std::int64_t done = series.rows() > 0 ? rows[series.rows() - 1] : 0;
+  const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
+  std::size_t k = record.rows.rows(), m = record.measured.rows();
+  if (k > kept.size() || m > fixed.size())
+    throw std::invalid_argument(fmt::format("an element test of {} rows, {} of them measured, cannot go on from {} and "
+                                            "{}", kept.size(), fixed.size(), k, m));
+  std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);
   sample.start_linear_at_first_strain();  // the first row is at rest
-  for (std::size_t k = series.rows(); k < rows.size(); ++k) {
-    const std::int64_t at = rows[k];
+  while (k < kept.size() || m < fixed.size()) {
+    const bool keep = k < kept.size() && (m == fixed.size() || kept[k] <= fixed[m]);
+    const bool measure = m < fixed.size() && (k == kept.size() || fixed[m] <= kept[k]);
+    const std::int64_t at = keep ? kept[k] : fixed[m];
     if (at > done) sample.strain({{test.shear_rate, 0.0}, at - done, time_step});
     done = at;
     const Assembly assembly = sample.assembly();
-    const auto values = row(sample, assembly, test.shear_rate);
-    series.append_row(sample.time(), values);
-    if (observe) observe(done, assembly, series);
+    const double time = static_cast<double>(at) * time_step;
+    const auto values = row(sample, assembly, test.shear_rate, test.shear_rate * time);
+    if (measure) record.measured.append_row(time, values);
+    if (keep) record.rows.append_row(time, values);
+    m += measure ? 1 : 0;
+    k += keep ? 1 : 0;
+    if (keep && observe) observe(done, assembly, record);
   }
-  return series;
+  return record;
 }
 
 }  // namespace flowslide

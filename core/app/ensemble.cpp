@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace flowslide {
 namespace {
@@ -44,6 +43,9 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? -std::numeric_limits<double>::infinity() : *std::max_element(values.begin(), values.end());
 }
 
+/// "loose 3f..." is key 3f... of the table loose.
+std::string table_of_sample(const std::string& sample) { return sample.substr(0, sample.find(' ')); }
+
 /// The axis and the columns of a series, but for the abscissa.
 std::vector<Column> ordinates(const Series& series, const std::string& abscissa) {
   std::vector<Column> columns{series.axis};
@@ -80,10 +82,11 @@ class BandColumns {
 }  // namespace
 
 Statistics statistics_of(std::vector<double> values) {
-  if (values.empty()) throw std::invalid_argument("no values: there are no statistics of them");
+  Statistics result;
+  if (values.empty() || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) return result;
   std::sort(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());
-  Statistics result;
+  result.mean = result.deviation = 0.0;
   result.lowest = values.front();
   result.highest = values.back();
   result.median = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
@@ -95,11 +98,41 @@ Statistics statistics_of(std::vector<double> values) {
   return result;
 }
 
+double metric_of(const Result& result, const std::string& name) {
+  for (const Metric& metric : result.metrics)
+    if (metric.name == name) return metric.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<double> values_of(const Ensemble& ensemble, const std::string& metric) {
   std::vector<double> values;
   for (const Result& result : ensemble)
     for (const Metric& candidate : result.metrics)
       if (candidate.name == metric) values.push_back(candidate.value);
+  return values;
+}
+
+double parameter_of(const Ensemble& ensemble, const std::string& name) {
+  for (const Result& result : ensemble)
+    for (const Metric& parameter : result.parameters)
+      if (parameter.name == name) return parameter.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<Pair> paired(const Ensemble& first, const Ensemble& second) {
+  std::vector<Pair> pairs;
+  for (const Result& a : first)
+    for (const Result& b : second) {
+      const std::string &one = a.provenance.sample, &other = b.provenance.sample;
+      const bool same_seed = a.provenance.replicate == b.provenance.replicate;
+      if (same_seed && (one == other || table_of_sample(one) != table_of_sample(other))) pairs.emplace_back(&a, &b);
+    }
+  return pairs;
+}
+
+std::vector<std::pair<double, double>> paired_values(const std::vector<Pair>& pairs, const std::string& metric) {
+  std::vector<std::pair<double, double>> values;
+  for (const auto& [first, second] : pairs) values.emplace_back(metric_of(*first, metric), metric_of(*second, metric));
   return values;
 }
 
@@ -130,13 +163,14 @@ Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows
   const Series& first = ensemble.front().series;
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
   for (const Result& result : ensemble) {
-    from = std::max(from, result.series.column(abscissa).values.front());
-    to = std::min(to, largest(result.series.column(abscissa).values));
+    const std::vector<double>& values = result.series.column(abscissa).values;
+    from = values.empty() ? to : std::max(from, values.front());
+    to = std::min(to, largest(values));
   }
+  if (!(to > from)) rows = 0;  // the columns alone
   Series band;
   band.axis = first.column(abscissa);
   band.axis.values.clear();
-  if (!(to > from)) return band;
   const double width = (to - from) / rows;
   for (int row = 0; row < rows; ++row) band.axis.values.push_back(from + (row + 0.5) * width);
   for (const Column& column : ordinates(first, abscissa)) {

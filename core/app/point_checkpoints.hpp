@@ -29,6 +29,8 @@ class PointCheckpoints {
   void border(const std::function<Checkpoint()>& now);
   /// The same while a sample is prepared, see RunControl.
   void border_of_preparation(const std::function<bool()>& keep) { control_.border_of_preparation(keep); }
+  /// Keeps the end of a run, before anything is computed of it: whatever then happens, the same command has the run.
+  void keep_end(const Checkpoint& end) { keep(end, false); }
 
  private:
   void keep(const Checkpoint& checkpoint, bool stopping);

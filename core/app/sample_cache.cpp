@@ -208,6 +208,7 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
     return found.sample.void_ratio;
   };
   found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;
+  found.name = specification.name + " " + cache_key(found.recipe, engine.name() + " " + engine.version());
   return found;
 }
 

@@ -19,6 +19,7 @@ struct FoundSample {
   SampleRecipe recipe;    ///< of the last trial, the one that fits
   int trials = 0;
   PackingHealth health;
+  std::string name = {};  ///< that of its table and its key in the cache: see Provenance::sample
 };
 
 /// Void ratios, recipe and health of a sample, as numbers of a result.

@@ -14,17 +14,15 @@
 #include "app/error.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
+#include "app/replicates.hpp"
 #include "app/slide_progress.hpp"
 #include "dem/make_engine.hpp"
 #include "record/gnuplot_table.hpp"
+#include "record/hash.hpp"
 
 namespace flowslide {
 namespace {
 
-constexpr int band_rows = 200;  ///< of a figure: finer than what it can show
-
-Table band_table(const std::string& case_name, const std::string& slide, std::size_t replicates, Series series) {
-  return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
 }
 
 std::string row_text(const Series& rows) {
@@ -44,7 +42,8 @@ void restore(const SlidePoint& running, const std::function<void()>& all) {
 }
 
 /// The tables first: a point is complete with its <point>.h5.
-void write_point(const OutputFolder& output, const std::string& point, const Result& result, const Series& profiles) {
+void write_point(const OutputFolder& output, const Result& result, const Series& profiles) {
+  const std::string& point = result.provenance.point;
   Table table = table_of(result);
   write_table(output.file(point + ".dat"), table);
   table.series = profiles;
@@ -57,7 +56,9 @@ void write_point(const OutputFolder& output, const std::string& point, const Res
 /// What is kept of a point, slide or element test.
 struct SlideCase::Records {
   Series series, profiles;
-  Stop stop;
+  Stop stop = Stop::not_yet;
+  RunMeasures measures = {};
+  Series measured = {};  ///< of an element test, in place of the rows that happen to be kept
 };
 
 /// A sample, and what it lives on.
@@ -66,6 +67,7 @@ struct SlideCase::Loaded {
   std::unique_ptr<Sample> sample;
   DemSample* grains = nullptr;        ///< the sample, if it is made of them
   std::vector<Metric> metrics;        ///< of the sample
+  std::string name;                   ///< see Provenance::sample
 };
 
 SlideCase::SlideCase(CaseDescription description) : description_(std::move(description)) {
@@ -87,16 +89,24 @@ void SlideCase::read(const Configuration& configuration) {
   }
   for (const std::string& name : closed_form_sample_names()) configuration.accept(name);
   const auto replicates = static_cast<int>(configuration.integer("replicates", Range::between(1, 100)));
+  std::vector<std::vector<SampleSpecification>> all_samples;
+  for (int replicate = 0; replicate < replicates; ++replicate)
+    all_samples.push_back(read_samples(configuration, slope_, replicate));
+  refuse_equal_recipes(all_samples);
   for (int replicate = 0; replicate < replicates; ++replicate) {
-    const auto samples = read_samples(configuration, slope_, replicate);
+    const auto& samples = all_samples[static_cast<std::size_t>(replicate)];
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
       SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine);
-      if (closed_form_) read.point.sample.clear();
+      if (closed_form_)
+        read.point.sample.clear();
       else
         read.point.inputs.preparation_engine = preparation_engine_;
+      if (!read.profiles.strains.empty()) read.point.tables.push_back(read.point.name + "_profiles");
+      for (const Metric& parameter : more_parameters(read)) read.parameters.push_back(parameter);
       if (!read.test || !closed_form_) slides_.push_back(std::move(read));
+      else if (replicate == 0) left_out_.push_back(name);
     }
   }
 }
@@ -138,6 +148,8 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
   Loaded loaded;
   if (closed_form_) {
     loaded.sample = closed_form_();
+    loaded.metrics = {{"initial_void_ratio", loaded.sample->void_ratio(), "1", "void ratio of the closed-form sample"}};
+    loaded.name = slide.sample.name;
     return loaded;
   }
   const auto preparing =
@@ -146,6 +158,7 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
                                         [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   loaded.metrics = metrics_of(found);
   slide = on_sample(std::move(slide), found.sample.assembly.mean_diameter());
+  loaded.name = found.name;
   loaded.engine =
       make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"), run.threads);
   auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
@@ -158,31 +171,39 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
 }
 
 SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  Records records{element_test_series(), {}, Stop::not_yet};
+  ElementTestRecord so_far;
   std::int64_t done = 0;
   const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
   if (const auto& found = run.checkpoints.found()) {
     restore(running, [&] { loaded.sample->restore(found->sample); });
-    records.series = found->so_far.series;
+    so_far = {found->so_far.series, found->measured};
     done = loaded.grains->steps();
   }
+  const auto records_of = [](const ElementTestRecord& record, Stop stop) {
+    return Records{record.rows, {}, stop, measures_of_rows(record.measured), record.measured};
+  };
+  const auto checkpoint = [&](Result result, std::int64_t at, const Series& measured) {
+    return Checkpoint{std::move(result), static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(),
+                      {}, {}, measured};
+  };
   Progress progress(fmt::format("{} {}", description_.name, running.point.name), steps, run.progress, done);
-  const auto observe = [&](std::int64_t at, const Assembly&, const Series& rows) {
-    progress.update(at, row_text(rows));
+  const auto observe = [&](std::int64_t at, const Assembly&, const ElementTestRecord& record) {
+    progress.update(at, row_text(record.rows));
     run.checkpoints.border([&] {
-      return Checkpoint{result_of(running, loaded, run, {rows, {}, Stop::not_yet}),
-                        static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(), {}, {}};
+      return checkpoint(judged(running, loaded, run, records_of(record, Stop::not_yet)), at, record.measured);
     });
   };
-  records.series = run_element_test(*loaded.grains, *running.test, observe, std::move(records.series));
-  records.stop = Stop::end_shear_strain;
+  const ElementTestRecord record = run_element_test(*loaded.grains, *running.test, observe, std::move(so_far));
   progress.finish();
+  Records records = records_of(record, Stop::end_shear_strain);
+  run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records), steps, record.measured));
   return records;
 }
 
 SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
   Slide sliding(running.settings, *loaded.sample);
   SlideRecord record{running.rows, running.grains};
+  record.exchanges = ExchangeRecord(running.grains, mean_stress_interval());
   ProfileRecord profiles(running.profiles);
   if (const auto& found = run.checkpoints.found()) {
     if (!found->slide)
@@ -192,93 +213,91 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
       profiles.restore(found->slide->profiles);
     });
     sliding.restore(found->slide->state);
-    record = {found->slide->spacing, running.grains, found->so_far.series, found->slide->next_time,
-              found->slide->next_strain};
+    record.spacing = found->slide->spacing;
+    record.series = found->so_far.series;
+    record.next_time = found->slide->next_time;
+    record.next_strain = found->slide->next_strain;
+    record.exchanges.restore(found->slide->exchanges);
   }
   SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop,
                          run.progress, sliding.state());
+  const auto records_of = [&](Stop stop) {
+    return Records{record.series, profiles.series(), stop, record.exchanges.measures()};
+  };
+  const auto checkpoint = [&](Result result) {
+    const SlideState& state = sliding.state();
+    return Checkpoint{std::move(result), progress.share_done(state), loaded.sample->state(),
+                      SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums(),
+                                      profiles.series(), record.exchanges},
+                      {}};
+  };
   SlideHooks hooks;
   hooks.go_on = [&](const SlideState& state) {
     progress.update(state);
     if (loaded.grains) profiles.take(state.strain.shear, *loaded.grains);
-    run.checkpoints.border([&] {
-      return Checkpoint{result_of(running, loaded, run, {record.series, profiles.series(), Stop::not_yet}),
-                        progress.share_done(state), loaded.sample->state(),
-                        SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums(),
-                                        profiles.series()},
-                        {}};
-    });
+    run.checkpoints.border([&] { return checkpoint(judged(running, loaded, run, records_of(Stop::not_yet))); });
     return true;
   };
   const Stop stop = run_slide(sliding, running.stop, record, hooks);
   progress.finish(sliding.state());
-  return {std::move(record.series), profiles.series(), stop};
+  Records records = records_of(stop);
+  run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records)));
+  return records;
+}
+
+Provenance SlideCase::provenance_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run) const {
+  Provenance provenance = run.provenance_now();
+  provenance.seed = seed_;
+  provenance.replicate = running.replicate;
+  provenance.sample = loaded.name;
+  return provenance;
 }
 
 Result SlideCase::result_of(const SlidePoint& running, const Loaded& loaded, const PointRun& run,
                             const Records& records) const {
   Result result = run.result(records.series, loaded.metrics);
+  result.provenance = provenance_of(running, loaded, run);
+  result.parameters = running.parameters;
+  result.windows = records.measures.windows();
+  return result;
+}
+
+void SlideCase::judge(Result& result, const SlidePoint& running, const Loaded& loaded, const Records& records) const {
+  const Series& series = running.test ? records.measured : records.series;
+  const SlideOutcome outcome{running, series, records.measures, records.profiles, records.stop, loaded.grains};
+  for (const Metric& metric : slide_metrics(outcome))
+    if (std::isfinite(metric.value)) result.metrics.push_back(metric);
+}
+
+Result SlideCase::judged(const SlidePoint& running, const Loaded& loaded, const PointRun& run,
+                         const Records& records) const {
+  Result result = result_of(running, loaded, run, records);
   try {
-    for (const Metric& metric : slide_metrics({running, records.series, records.profiles, records.stop, loaded.grains}))
-      if (std::isfinite(metric.value)) result.metrics.push_back(metric);
-  } catch (const std::invalid_argument&) {
-    if (records.stop != Stop::not_yet) throw;  // a record that is not complete may be too short for them
+    judge(result, running, loaded, records);
+  } catch (const std::exception&) {  // what a run goes on from must be kept, whatever is said of it so far
+    result.metrics = loaded.metrics;
   }
-  result.provenance.seed = seed_;
-  result.provenance.replicate = running.replicate;
   return result;
 }
 
 void SlideCase::run(const Point& point, const PointRun& run) const {
   SlidePoint running = slide(point.name);
   Loaded loaded = load(running, run);
+  std::vector<std::string> names;
+  for (const SlidePoint& other : slides_) names.push_back(other.point.name);
+  on_first_rank([&] {
+    refuse_sample_of_others(provenance_of(running, loaded, run), hash_of(run.identity.configuration()), run.output.path(), names);
+  });
   const Records records = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
-  const Result result = result_of(running, loaded, run, records);
-  on_first_rank([&] { write_point(run.output, point.name, result, records.profiles); });
-}
-
-Ensembles SlideCase::results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const {
-  Ensembles slides;
-  for (const std::string& point : points) slides[slide(point).name].push_back(read_result(folder / (point + ".h5")));
-  return slides;
-}
-
-std::map<std::string, double> SlideCase::metrics(const std::filesystem::path& folder,
-                                                 const std::vector<std::string>& points) const {
-  const Ensembles slides = results_in(folder, points);
-  std::map<std::string, double> all;
-  for (const auto& [name, ensemble] : slides) {
-    for (const auto& [metric, value] : summary_of(ensemble)) all[fmt::format("{}.{}", name, metric)] = value;
-    for (const Result& result : ensemble)
-      for (const Metric& metric : result.metrics)
-        all[fmt::format("{}.{}", result.provenance.point, metric.name)] = metric.value;
+  Result result = result_of(running, loaded, run, records);
+  const auto write = [&] { on_first_rank([&] { write_point(run.output, result, records.profiles); }); };
+  try {
+    judge(result, running, loaded, records);
+  } catch (...) {
+    write();  // what was run is no worse for that
+    throw;
   }
-  compare(slides, all);
-  std::erase_if(all, [](const auto& metric) { return !std::isfinite(metric.second); });
-  return all;
-}
-
-std::vector<std::string> SlideCase::points_in(const OutputFolder& output) const {
-  std::vector<std::string> present;
-  for (const SlidePoint& slide : slides_)
-    if (std::filesystem::exists(output.file(slide.point.name + ".h5"))) present.push_back(slide.point.name);
-  return present;
-}
-
-void SlideCase::finish(const OutputFolder& output) const {
-  const std::vector<std::string> present = points_in(output);
-  std::map<std::string, std::vector<Series>> profiles;
-  for (const std::string& point : present) {
-    const auto file = output.file(point + "_profiles.dat");
-    if (std::filesystem::exists(file)) profiles[slide(point).name].push_back(read_table(file).series);
-  }
-  for (const auto& [name, ensemble] : results_in(output.path(), present))
-    for (const std::string& abscissa : abscissas())
-      write_table(output.file(fmt::format("{}_over_{}.dat", name, abscissa)),
-                  band_table(description_.name, name, ensemble.size(), band_over(ensemble, abscissa, band_rows)));
-  for (const auto& [name, all] : profiles)
-    write_table(output.file(name + "_profiles_band.dat"),
-                band_table(description_.name, name, all.size(), band_of_rows(all)));
+  write();
 }
 
 }  // namespace flowslide

@@ -10,6 +10,7 @@
 #include "app/element_test_model.hpp"
 #include "app/error.hpp"
 #include "app/plan.hpp"
+#include "app/slide_parameters.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 
@@ -72,16 +73,17 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   const auto steps = as_written_by_user("point " + read.name, [&] {
     return static_cast<double>(read.test->steps(read.settings.passing.time_step));
   });
+  read.parameters = parameters_of(read, std::nullopt);
   read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
                                        read.sample.recipe.packing.seed, read.test->shear_rate,
                                        100.0 * read.test->final_strain);
   read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, read.engine);
 }
 
-std::string describe(const SlidePoint& point, const std::string& scheme) {
-  return fmt::format("sample {} (seed {}), {}, k = {:.3g} m/s, to {:.3g} s", point.sample.name,
-                     point.sample.recipe.packing.seed, scheme, point.settings.slope.hydraulic_conductivity,
-                     point.stop.end_time);
+std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
+  return fmt::format("sample {} (seed {}), {}, {}, k = {:.3g} m/s, to {:.3g} s", point.sample.name,
+                     point.sample.recipe.packing.seed, scheme, describe(point.settings.loading),
+                     point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
 /// What several keys make together. Whatever is left to fail, fails by the numbers of the run.
@@ -115,6 +117,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
   read.grains = {lattice_packing(read.sample.recipe.packing).mean_diameter(), read.sample.recipe.material.density};
+  read.published = configuration.is_published("point." + name);
   read.engine = engine_of(table, engine);
   read.point.inputs.engine = read.engine;
   if (table.has("final_strain")) {
@@ -141,17 +144,23 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.profiles = read_profile_plan(configuration, table.key("profile_strains"));
   check_together(table, read);
 
-  read.point.description = describe(read, scheme);
+  read.point.description = describe_slide(read, scheme);
+  std::optional<double> number;
+  if (!std::holds_alternative<GlobalRate>(read.settings.rate)) number = settings.number("inertial_number", Range::positive());
+  read.parameters = parameters_of(read, number);
   read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);
   return read;
 }
 
 SlidePoint on_sample(SlidePoint point, double mean_diameter) {
   point.grains.mean_diameter = mean_diameter;
-  if (point.test)
-    point.test = for_sample(*point.test, point.sample.recipe, mean_diameter);
-  else
+  if (!point.test) {
     point.settings.rate = for_grains(point.settings.rate, point.grains, initial_normal_stress(point.settings.slope));
+    return point;
+  }
+  point.test = for_sample(*point.test, point.sample.recipe, mean_diameter);
+  for (Metric& parameter : point.parameters)
+    if (parameter.name == "shear_rate") parameter.value = point.test->shear_rate;
   return point;
 }
 

@@ -3,30 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include "grains/measures.hpp"
 
 namespace flowslide {
 namespace {
 
-/// Without pressure an inertial number has no value; a closed-form sample may have none, or be pulled.
-constexpr double least_pressure = 1e-6;  // Pa
-
-/// Share of a distance between rows by which a clock that is a product may miss its multiple.
-constexpr double rounding_of_rows = 1e-9;
-
-double next_multiple(double value, double distance) {
-  return distance * (std::floor(value / distance + rounding_of_rows) + 1.0 - rounding_of_rows);
-}
-
 void append_row(SlideRecord& record, const Slide& slide) {
   const SlideState& state = slide.state();
-  const GrainScale& grains = record.grains;
-  const double mean = slide.sample().mean_stress();
-  const auto number = [&](double rate) {
-    return inertial_number(rate, grains.mean_diameter, grains.density, std::max(mean, least_pressure));
-  };
+  const ExchangeRecord& exchanges = record.exchanges;
+  const bool measured = exchanges.mean_stress_time == state.time;
+  const double mean = measured ? exchanges.mean_stress : slide.sample().mean_stress();
   const std::array values{state.sliding.displacement,
                           state.velocity,
                           state.strain.shear,
@@ -39,8 +24,8 @@ void append_row(SlideRecord& record, const Slide& slide) {
                           state.global_rate,
                           state.rate_asked,
                           state.rate_applied,
-                          number(state.rate_applied),
-                          number(state.global_rate),
+                          number_at(state.rate_applied, mean, record.grains),
+                          number_at(state.global_rate, mean, record.grains),
                           slide.sample().void_ratio(),
                           state.local_time,
                           static_cast<double>(state.local_steps)};
@@ -101,6 +86,7 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
     mark();
     if (hooks.row) hooks.row(slide, record.series);
   };
+  if (record.exchanges.taken == 0) record.exchanges.take(slide);
   if (record.series.rows() == 0) take_row();
   for (;;) {
     const Stop stop = stop_of(state, conditions, slide.settings().time_step);
@@ -109,6 +95,7 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
       return stop;
     }
     slide.step();
+    record.exchanges.take(slide);
     if (state.time >= record.next_time || state.strain.shear >= record.next_strain) take_row();
     if (hooks.go_on && !hooks.go_on(state)) return Stop::not_yet;
   }

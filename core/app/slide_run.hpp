@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "app/run_measures.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
 #include "record/series.hpp"
@@ -28,6 +29,7 @@ struct SlideRecord {
   Series series = slide_series();
   double next_time = 0.0;            ///< where the next row is due, s
   double next_strain = 0.0;          ///< or here
+  ExchangeRecord exchanges{};        ///< what metrics are made of, whatever rows are kept
 };
 
 /// What a caller may add to a run.

@@ -28,6 +28,9 @@ struct Provenance {
   std::string scale;                   ///< "quick" or "paper"
   std::int64_t seed = 0;
   int replicate = 0;
+  /// Table [sample.<name>] and key of the sample in the cache, "loosest 3f...": equal for runs on one sample. Without a
+  /// key if the sample is not made of grains.
+  std::string sample;
   /// Cost, s: as predicted, with samples in the cache, and what all ranks and threads took, with samples that were not
   /// there, over all starts of the program. Not a number where it was not recorded.
   double predicted_seconds = std::numeric_limits<double>::quiet_NaN();

@@ -33,6 +33,7 @@ void for_each_member(P& provenance, Visit&& visit) {
   visit("scale", provenance.scale);
   visit("seed", provenance.seed);
   visit("replicate", provenance.replicate);
+  visit("sample", provenance.sample);
   visit("predicted_seconds", provenance.predicted_seconds);
   visit("processor_seconds", provenance.processor_seconds);
 }
@@ -73,6 +74,9 @@ void write_result(hdf5::Group& root, const Result& result) {
     auto group = inputs.group(table.name);
     group.set_attribute("file", table.file);
   }
+  write_metrics(root, "parameters", result.parameters);
+  auto windows = root.create_group("windows");
+  for (const Series& series : result.windows) write_series(windows, series.axis.name, series);
 }
 
 Result read_result(const std::filesystem::path& path) {
@@ -91,6 +95,9 @@ Result read_result(const hdf5::Group& root) {
   const auto inputs = root.group("inputs");
   for (const std::string& name : inputs.names())
     result.inputs.push_back({name, inputs.group(name).text_attribute("file"), read_series(inputs, name)});
+  result.parameters = read_metrics(root, "parameters");
+  const auto windows = root.group("windows");
+  for (const std::string& abscissa : windows.names()) result.windows.push_back(read_series(windows, abscissa));
   return result;
 }
 

@@ -21,6 +21,10 @@ struct Result {
   std::vector<Metric> metrics;
   std::string identity = {};            ///< what else decides the result: lines "name = value", see RunIdentity
   std::vector<InputTable> inputs = {};  ///< tables that the run has read from files
+  /// What the run was given, such as a hydraulic conductivity: it is read from here, never from a name.
+  std::vector<Metric> parameters = {};
+  /// Means over fixed windows, one series for each abscissa (time, shear_strain, displacement): see app/windows.hpp.
+  std::vector<Series> windows = {};
 };
 
 /// Writes one HDF5 file, whole or not at all, for h5py and xarray (group "series") to read unaided:
@@ -31,6 +35,8 @@ struct Result {
 ///   /metrics/<metric>    double, scalar; attributes units, long_name
 ///   /identity            text: case, point, engine and contents of input files, with which the result is recognized
 ///   /inputs/<name>/      the rows of an input file, as in /series; attribute `file`
+///   /parameters/<name>   likewise
+///   /windows/<abscissa>/<column>   as /series, of means over windows; the axis holds their upper ends
 /// and behind the HDF5 content its checksum (see sealed_file.hpp), which HDF5 ignores.
 /// Throws std::invalid_argument for a series or metric that must not be written, and FileError as write_atomically.
 void write_result(const std::filesystem::path& path, const Result& result, IfExists if_exists = IfExists::refuse);

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -56,6 +58,15 @@ const Column& Series::column(std::string_view name) const {
     known += ", " + column.name;
   }
   throw std::out_of_range(fmt::format("no column '{}'; there are {}", name, known));
+}
+
+bool Series::has(std::string_view name) const {
+  return name == axis.name ||
+         std::any_of(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+}
+
+double Series::last(std::string_view name) const {
+  return rows() > 0 && has(name) ? column(name).values.back() : std::numeric_limits<double>::quiet_NaN();
 }
 
 void Series::check() const {

@@ -29,6 +29,10 @@ struct Series {
   void append_row(double axis_value, std::span<const double> values);
   /// The column (or the axis) of that name. Throws std::out_of_range, naming those that exist.
   const Column& column(std::string_view name) const;
+  /// Whether there is one, the axis included.
+  bool has(std::string_view name) const;
+  /// Its last value; NaN if there is no such column, or no row.
+  double last(std::string_view name) const;
   /// Throws std::invalid_argument if lengths differ, a name is empty, malformed or used twice, units are missing, or a
   /// value is not finite: a NaN or an infinity is never written, and the message names its column and row.
   void check() const;

@@ -56,6 +56,31 @@ TEST(Checkpoint, IsReadBackBitForBit) {
   EXPECT_EQ(again.slide->next_strain, checkpoint.slide->next_strain);
 }
 
+TEST(Checkpoint, KeepsWhatMetricsAreMadeOf) {
+  const Checkpoint checkpoint = example_checkpoint();
+  const Checkpoint again = read_back(checkpoint);
+  std::vector<double> numbers, numbers_again;
+  for_each_number_of(checkpoint.slide->exchanges,
+                     [&](const char*, const auto& value) { numbers.push_back(static_cast<double>(value)); });
+  for_each_number_of(again.slide->exchanges,
+                     [&](const char*, const auto& value) { numbers_again.push_back(static_cast<double>(value)); });
+  EXPECT_EQ(numbers_again, numbers);
+  const auto expect_same = [](const WindowRecord& a, const WindowRecord& b) {
+    expect_same_bits(a.means, b.means);
+    EXPECT_EQ(a.means.rows(), 2U);
+    EXPECT_EQ(b.width, a.width);
+    EXPECT_EQ(b.number, a.number);
+    EXPECT_EQ(b.begin, a.begin);
+    EXPECT_EQ(b.at, a.at);
+    EXPECT_EQ(b.values, a.values);
+    EXPECT_EQ(b.sums, a.sums);
+  };
+  expect_same(checkpoint.slide->exchanges.over_time, again.slide->exchanges.over_time);
+  expect_same(checkpoint.slide->exchanges.over_strain, again.slide->exchanges.over_strain);
+  expect_same(checkpoint.slide->exchanges.over_displacement, again.slide->exchanges.over_displacement);
+  expect_same_bits(checkpoint.measured, again.measured);
+}
+
 TEST(Checkpoint, KeepsProfilesAndShots) {
   const Checkpoint checkpoint = example_checkpoint();
   const Checkpoint again = read_back(checkpoint);
@@ -105,6 +130,11 @@ TEST(Checkpoint, RefusesWhatNoRunCouldGoOnFrom) {
   refuse([](Checkpoint& c) { c.slide->state.local_steps = -1; });
   refuse([](Checkpoint& c) { c.slide->spacing.interval = 0.0; });
   refuse([](Checkpoint& c) { c.slide->profiles[0].snapshots = -2; });
+  refuse([](Checkpoint& c) { c.slide->exchanges.peak_to_2.stress = std::nan(""); });
+  refuse([](Checkpoint& c) { c.slide->exchanges.over_time.width = 0.0; });
+  refuse([](Checkpoint& c) { c.slide->exchanges.over_strain.sums.pop_back(); });
+  refuse([](Checkpoint& c) { c.slide->exchanges.over_strain.values[0] = INFINITY; });
+  refuse([](Checkpoint& c) { c.slide->exchanges.over_displacement.at = -1.0; });
 }
 
 }  // namespace

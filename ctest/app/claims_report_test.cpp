@@ -28,15 +28,20 @@ std::vector<Verdict> verdicts() {
                      .unit = "1",
                      .origin = "published",
                      .scales = {}};
-  return evaluate({first, second}, {{"peak", 2.345678}});
+  Claim third = second;
+  third.id = "fall";
+  third.metric = "fall";
+  return evaluate({first, second, third}, {{"peak", 2.345678}, {"fall", 4.0}});
 }
 
 TEST(TerminalTable, AlignsColumnsAndExplainsWhatIsNotMet) {
   EXPECT_EQ(terminal_table(verdicts()),
-            "         figure   claim            expected               measured\n"
-            "met      Fig. 3A  peak             > 2 kPa                2.346 kPa\n"
-            "NOT MET  Fig. 3C  inertial_number  between 0.001 and 0.5  -\n"
-            "         the metric \"none\" was not measured (I \"exceeds\" 1e-3.)\n");
+            "               figure   claim            expected               measured\n"
+            "met            Fig. 3A  peak             > 2 kPa                2.346 kPa\n"
+            "not evaluated  Fig. 3C  inertial_number  between 0.001 and 0.5  -\n"
+            "         the metric \"none\" was not measured (I \"exceeds\" 1e-3.)\n"
+            "NOT MET        Fig. 3C  fall             between 0.001 and 0.5  4\n"
+            "         4 is not between 0.001 and 0.5 (I \"exceeds\" 1e-3.)\n");
 }
 
 TEST(MarkdownTable, IsATableWhateverTheSentences) {
@@ -45,8 +50,10 @@ TEST(MarkdownTable, IsATableWhateverTheSentences) {
       "| Figure | The paper says | Expected | Measured | Verdict | Origin of the tolerance |\n"
       "|---|---|---|---|---|---|\n"
       "| Fig. 3A | It peaks \\| first. | `peak` > 2 kPa | 2.346 kPa | met | replicate spread |\n"
-      "| Fig. 3C | I \"exceeds\" 1e-3. | `none` between 0.001 and 0.5 | - | **not met**: the metric \"none\" was not "
-      "measured | published |\n");
+      "| Fig. 3C | I \"exceeds\" 1e-3. | `none` between 0.001 and 0.5 | - | **not evaluated**: the metric "
+      "\"none\" was not measured | published |\n"
+      "| Fig. 3C | I \"exceeds\" 1e-3. | `fall` between 0.001 and 0.5 | 4 | **not met**: 4 is not between 0.001 and "
+      "0.5 | published |\n");
 }
 
 TEST(Json, EscapesTextsAndHasNullForMissingNumbers) {
@@ -55,7 +62,8 @@ TEST(Json, EscapesTextsAndHasNullForMissingNumbers) {
   EXPECT_CONTAINS(text, "\"measured\": 2.345678, \"met\": true");
   EXPECT_CONTAINS(text, "\"sentence\": \"I \\\"exceeds\\\" 1e-3.\"");
   EXPECT_CONTAINS(text, "\"threshold\": 0.001, \"upper_threshold\": 0.5");
-  EXPECT_CONTAINS(text, "\"measured\": null, \"met\": false");
+  EXPECT_CONTAINS(text, "\"measured\": null, \"met\": null");
+  EXPECT_CONTAINS(text, "\"measured\": 4, \"met\": false");
   EXPECT_EQ(text.substr(0, 4), "[\n  ");
   EXPECT_EQ(text.substr(text.size() - 5), "\"}\n]\n");
   EXPECT_EQ(json({}), "[]\n");
@@ -65,7 +73,8 @@ TEST(DataTable, HasOneRowPerClaimAndTextsInQuotes) {
   EXPECT_EQ(data_table(verdicts()),
             "# id measured threshold upper_threshold unit met figure sentence\n"
             "\"peak\" 2.345678 2 2 \"kPa\" 1 \"Fig. 3A\" \"It peaks | first.\"\n"
-            "\"inertial_number\" nan 0.001 0.5 \"1\" 0 \"Fig. 3C\" \"I 'exceeds' 1e-3.\"\n");
+            "\"inertial_number\" nan 0.001 0.5 \"1\" NaN \"Fig. 3C\" \"I 'exceeds' 1e-3.\"\n"
+            "\"fall\" 4 0.001 0.5 \"1\" 0 \"Fig. 3C\" \"I 'exceeds' 1e-3.\"\n");
 }
 
 }  // namespace

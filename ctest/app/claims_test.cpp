@@ -51,7 +51,7 @@ Claim claim(Relation relation, double threshold, double upper = 0.0) {
   return c;
 }
 
-bool met(const Claim& c, double measured) { return evaluate({c}, {{"m", measured}}).front().met; }
+bool met(const Claim& c, double measured) { return evaluate({c}, {{"m", measured}}).front().ruling == Ruling::met; }
 
 TEST(LoadClaims, ReadsEveryKey) {
   const auto claims = load(two_claims);
@@ -111,17 +111,17 @@ TEST(Evaluate, KnowsEachRelationAtItsEdge) {
   EXPECT_FALSE(met(claim(Relation::between, 1.0, 2.0), 2.1));
 }
 
-TEST(Evaluate, CountsAMissingMetricAsNotMet) {
+TEST(Evaluate, SaysNothingOfAMissingMetric) {
   const Verdict verdict = evaluate({claim(Relation::less, 1.0)}, {{"other", 0.5}}).front();
-  EXPECT_FALSE(verdict.met);
+  EXPECT_EQ(verdict.ruling, Ruling::not_evaluated);
   EXPECT_EQ(verdict.reason, "the metric \"m\" was not measured");
 }
 
-TEST(Evaluate, CountsWhatIsNotFiniteAsNotMet) {
+TEST(Evaluate, SaysNothingOfWhatIsNotFinite) {
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()}) {
     const Verdict verdict = evaluate({claim(Relation::less, 1.0)}, {{"m", value}}).front();
-    EXPECT_FALSE(verdict.met);
+    EXPECT_EQ(verdict.ruling, Ruling::not_evaluated);
     EXPECT_CONTAINS(verdict.reason, "not a finite number");
   }
 }
@@ -131,11 +131,20 @@ TEST(Evaluate, GivesTheComparisonAsReason) {
   EXPECT_EQ(evaluate({claim(Relation::between, 1.0, 3.0)}, {{"m", 2.5}}).front().reason, "2.5 is between 1 and 3 kPa");
 }
 
-TEST(AllMet, NeedsEveryOne) {
+TEST(IsOneNotMet, CountsThoseThatAreEvaluatedAlone) {
   const auto c = claim(Relation::less, 1.0);
-  EXPECT_TRUE(all_met({}));
-  EXPECT_TRUE(all_met(evaluate({c}, {{"m", 0.0}})));
-  EXPECT_FALSE(all_met(evaluate({c, claim(Relation::greater, 1.0)}, {{"m", 0.0}})));
+  EXPECT_FALSE(is_one_not_met({}));
+  EXPECT_FALSE(is_one_not_met(evaluate({c}, {{"m", 0.0}})));
+  EXPECT_FALSE(is_one_not_met(evaluate({c}, {})));
+  EXPECT_TRUE(is_one_not_met(evaluate({c, claim(Relation::greater, 1.0)}, {{"m", 0.0}})));
+}
+
+TEST(NotEvaluated, KeepsWhatWasMeasured) {
+  const auto verdicts = not_evaluated(evaluate({claim(Relation::less, 1.0)}, {{"m", 5.0}}), "another study");
+  EXPECT_EQ(verdicts.front().measured, 5.0);
+  EXPECT_EQ(verdicts.front().ruling, Ruling::not_evaluated);
+  EXPECT_EQ(verdicts.front().reason, "another study");
+  EXPECT_FALSE(is_one_not_met(verdicts));
 }
 
 }  // namespace

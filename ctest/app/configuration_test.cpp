@@ -292,5 +292,30 @@ TEST(Configuration, HashFollowsTheValuesNotTheirSpelling) {
   EXPECT_EQ(hash("s.stress = '1 Pa'").size(), 32U);
 }
 
+TEST(ConfigurationChanges, AreTheValuesThatTheCaseHasOtherwise) {
+  const ScratchFolder scratch;
+  const Layers layers{.case_file = scratch.write("case.toml", "a = '3 kPa'\nb = [1, 2]\nc = 1\n[scale.quick]\nc = 2\n"),
+                      .scale = "quick",
+                      .user_file = scratch.write("user.toml", "b = [1, 3]\nd = 5\n"),
+                      .overrides = {{"a", "3 kPa", "--set a"}, {"c", "1", "--set c"}}};
+  const Configuration configuration(layers);
+  EXPECT_TRUE(configuration.changes().empty());  // nothing has been read
+  configuration.quantity("a", dimension::stress);
+  configuration.numbers("b");
+  configuration.number("c");
+  configuration.number("d");
+  const std::vector<Change> changes = configuration.changes();
+  ASSERT_EQ(changes.size(), 3U);
+  EXPECT_EQ(changes[0].key, "b");
+  EXPECT_EQ(changes[0].value, "[1.0, 3.0]");
+  EXPECT_EQ(changes[0].before, "[1, 2]");
+  EXPECT_EQ(changes[1].key, "c");
+  EXPECT_EQ(changes[1].before, "2");
+  EXPECT_EQ(changes[2].key, "d");
+  EXPECT_EQ(changes[2].before, "");
+  EXPECT_TRUE(configuration.is_published("c"));
+  EXPECT_FALSE(configuration.is_published("d"));
+}
+
 }  // namespace
 }  // namespace flowslide

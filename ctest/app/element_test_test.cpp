@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "dem/make_engine.hpp"
+#include "record/same_bits.hpp"
 #include "support/touching_lattice.hpp"
 
 namespace flowslide {
@@ -63,11 +64,13 @@ class RecordOfALattice : public testing::Test {
  protected:
   static constexpr double rate = 5.0;
   RecordOfALattice() {
-    series_ = run_element_test(sample_, test_, [&](std::int64_t steps, const Assembly& assembly, const Series& series) {
+    const auto observe = [&](std::int64_t steps, const Assembly& assembly, const ElementTestRecord& record) {
       observed_steps_.push_back(steps);
-      observed_rows_.push_back(series.rows());
+      observed_rows_.push_back(record.rows.rows());
       grains_ = assembly.size();
-    });
+    };
+    record_ = run_element_test(sample_, test_, observe);
+    series_ = record_.rows;
   }
   const std::vector<double>& column(const char* name) const { return series_.column(name).values; }
 
@@ -83,6 +86,7 @@ class RecordOfALattice : public testing::Test {
   const Assembly lattice_ = settled(*engine_);
   DemSample sample_{*engine_, lattice_, {Material{}, time_step, 0.0}};
   const CellStress stress_before_ = sample_.stress();
+  ElementTestRecord record_;
   Series series_;
   std::vector<std::int64_t> observed_steps_;
   std::vector<std::size_t> observed_rows_;
@@ -146,30 +150,40 @@ TEST(ElementTestRecord, GoesOnFromAnyRowWithTheSameBits) {
   const ElementTest test{5.0, 5.0 * 200 * time_step, 10};
   const auto engine = make_engine("native", "/dev/null");
   DemSample whole = start(*engine);
-  const Series expected = run_element_test(whole, test);
+  const ElementTestRecord expected = run_element_test(whole, test);
   for (const std::size_t stop : {1U, 4U, 10U}) {
     struct Enough {};
     DemSample first = start(*engine);
-    Series rows;
+    ElementTestRecord kept;
     SampleState state;
     try {
-      run_element_test(first, test, [&](std::int64_t, const Assembly&, const Series& so_far) {
-        if (so_far.rows() < stop) return;
-        rows = so_far;
+      run_element_test(first, test, [&](std::int64_t, const Assembly&, const ElementTestRecord& so_far) {
+        if (so_far.rows.rows() < stop) return;
+        kept = so_far;
         state = first.state();
         throw Enough{};
       });
     } catch (const Enough&) {
     }
-    ASSERT_EQ(rows.rows(), stop);
+    ASSERT_EQ(kept.rows.rows(), stop);
     const auto other = make_engine("native", "/dev/null");
     DemSample second = start(*other);
     second.restore(state);
-    const Series series = run_element_test(second, test, {}, rows);
-    EXPECT_EQ(series.axis.values, expected.axis.values);
-    for (std::size_t i = 0; i < series.columns.size(); ++i)
-      EXPECT_EQ(series.columns[i].values, expected.columns[i].values) << stop << ", " << series.columns[i].name;
+    const ElementTestRecord record = run_element_test(second, test, {}, kept);
+    expect_same_bits(record.rows, expected.rows);
+    expect_same_bits(record.measured, expected.measured);
   }
+}
+
+TEST(ElementTestRecord, MeasuresTheSameWhateverRowsAreKept) {
+  const auto measured = [](int rows) {
+    const auto engine = make_engine("native", "/dev/null");
+    DemSample sample(*engine, touching_lattice(), {Material{}, time_step, 0.0});
+    return run_element_test(sample, {5.0, 5.0 * 700 * time_step, rows}).measured;
+  };
+  const Series few = measured(10), many = measured(470);
+  EXPECT_EQ(few.rows(), (ElementTest{5.0, 5.0 * 700 * time_step, 10}.measured_steps(time_step).size()));
+  expect_same_bits(few, many);
 }
 
 TEST(ElementTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
@@ -177,7 +191,7 @@ TEST(ElementTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
   for (double& radius : gas.radius) radius *= 0.9;
   const auto engine = make_engine("liggghts", testing::TempDir() + "element_test.log");
   DemSample sample(*engine, gas, {Material{}, time_step, 0.0});
-  const Series series = run_element_test(sample, {5.0, 5.0 * 40 * time_step, 10});
+  const Series series = run_element_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
   EXPECT_NO_THROW(series.check());
   EXPECT_EQ(series.column("normal_stress").values.back(), 0.0);
   // Velocities of 1 mm/s in 30 % solid: some 1e-4 Pa, and so a number above that of any packing.

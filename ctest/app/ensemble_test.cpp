@@ -34,7 +34,8 @@ TEST(Ensemble, HasTheStatisticsOfItsValues) {
   EXPECT_NEAR(all.standard_error, std::sqrt(38.0 / 12.0), rounding);
   EXPECT_EQ(statistics_of({7.0, 5.0, 6.0}).median, 6.0);
   EXPECT_EQ(statistics_of({7.0}).standard_error, 0.0);
-  EXPECT_THROW(statistics_of({}), std::invalid_argument);
+  EXPECT_TRUE(std::isnan(statistics_of({}).median));
+  EXPECT_TRUE(std::isnan(statistics_of({1.0, std::nan(""), 2.0}).lowest));
 }
 
 TEST(Ensemble, SumsUpMetricsThatAllReplicatesHave) {
@@ -47,6 +48,35 @@ TEST(Ensemble, SumsUpMetricsThatAllReplicatesHave) {
   EXPECT_NEAR(summary.at("peak.standard_error"), 1.0, rounding);
   EXPECT_FALSE(summary.contains("regain.mean"));
   EXPECT_EQ(values_of({first, second}, "regain"), std::vector{1.0});
+}
+
+Result on_sample(int replicate, const std::string& sample, double peak = 0.0) {
+  Result result;
+  result.provenance.replicate = replicate;
+  result.provenance.sample = sample;
+  result.metrics = {{"peak", peak, "Pa", ""}};
+  return result;
+}
+
+TEST(Ensemble, PairsResultsOnOneSampleWhateverTheirOrder) {
+  const Ensemble rd{on_sample(0, "loose a", 1.0), on_sample(1, "loose b", 2.0)};
+  const Ensemble ri{on_sample(2, "loose c", 30.0), on_sample(0, "loose a", 10.0)};  // one was not run, one is another's
+  const auto values = paired_values(paired(rd, ri), "peak");
+  EXPECT_EQ(values, (std::vector<std::pair<double, double>>{{1.0, 10.0}}));
+}
+
+TEST(Ensemble, PairsNoTwoSamplesOfOneTable) {
+  EXPECT_TRUE(paired({on_sample(0, "loose a")}, {on_sample(0, "loose b")}).empty());
+  // Samples of two tables have seeds of one number.
+  EXPECT_EQ(paired({on_sample(0, "loose a")}, {on_sample(0, "large b")}).size(), 1U);
+  EXPECT_EQ(paired({on_sample(3, "loose")}, {on_sample(3, "loose")}).size(), 1U);  // not made of grains
+}
+
+TEST(Ensemble, HasTheParametersOfItsRuns) {
+  Result result;
+  result.parameters = {{"hydraulic_conductivity", 2e-5, "m/s", ""}};
+  EXPECT_EQ(parameter_of({result}, "hydraulic_conductivity"), 2e-5);
+  EXPECT_TRUE(std::isnan(parameter_of({result}, "amplitude")));
 }
 
 TEST(Ensemble, AveragesOverAnAbscissaByTrapezoids) {
@@ -75,7 +105,13 @@ TEST(Ensemble, HasABandOverTheRangeThatAllCover) {
   EXPECT_NEAR(column(band, "time_median").values[3], 0.875 / 2.0, rounding);
   EXPECT_EQ(band.columns.front().name, "time_median");
   EXPECT_NO_THROW(band.check());
-  EXPECT_EQ(band_over({line(0.0, 1.0), line(2.0, 5.0)}, "x", 4).rows(), 0U);
+  const Series none = band_over({line(0.0, 1.0), line(2.0, 5.0)}, "x", 4);
+  EXPECT_EQ(none.rows(), 0U);
+  EXPECT_TRUE(none.has("tau_median"));  // a figure finds its columns, without rows
+  Result empty = line(1.0, 1.0);
+  empty.series.axis.values.clear();
+  for (Column& column : empty.series.columns) column.values.clear();
+  EXPECT_EQ(band_over({empty}, "x", 4).rows(), 0U);
 }
 
 TEST(Ensemble, HasABandRowByRow) {

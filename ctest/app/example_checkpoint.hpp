@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cmath>
+#include <type_traits>
+#include <vector>
 
 #include "app/checkpoint.hpp"
 #include "record/example.hpp"
@@ -34,7 +36,17 @@ inline Checkpoint example_checkpoint() {
                     {{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3, 1}};
   slide.complete_profiles.axis = {"height", "z/H", "1", "relative height", "", {0.25, 0.75}};
   slide.complete_profiles.columns = {{"velocity_1", "<v_x>/v_top", "1", "velocity", "", {0.1 / 0.7, 0.2 / 0.7}}};
+  ExchangeRecord& exchanges = slide.exchanges;
+  exchanges = ExchangeRecord({}, 0.01);
+  for_each_number_of(exchanges, [&](const char*, auto& member) {
+    member = static_cast<std::remove_reference_t<decltype(member)>>(10.0 * (number += 1.0));
+  });
+  for (WindowRecord* windows : {&exchanges.over_time, &exchanges.over_strain, &exchanges.over_displacement})
+    for (int point = 0; point < 4; ++point)
+      windows->add(0.7 * windows->width * point,
+                   std::vector<double>(windows->means.columns.size(), std::sin(number += 1.0)));
   checkpoint.slide = slide;
+  checkpoint.measured = example_series(5);
   checkpoint.shots = {{0.125, 0.05, example_assembly(7)}};
   return checkpoint;
 }

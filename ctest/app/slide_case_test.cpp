@@ -22,7 +22,10 @@ class TestCase : public SlideCase {
 
  protected:
   std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override {
-    return {{"distance", outcome.series.column("displacement").values.back(), "m", "sliding distance"},
+    if (metrics_fail) throw std::out_of_range("no column of that name");
+    return {{"distance", outcome.series.last("displacement"), "m", "sliding distance"},
+            {"peak", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress"},
+            {"mean_velocity", mean_over(outcome.measures.over_time, "velocity", 0.0, 1.0), "m/s", "mean velocity"},
             {"nothing", std::nan(""), "1", "never there"},
             {"profiles", static_cast<double>(outcome.profiles.columns.size()), "1", "columns of profiles"},
             {"replicate", static_cast<double>(outcome.point.replicate), "1", "number of the replicate"}};
@@ -31,6 +34,9 @@ class TestCase : public SlideCase {
     metrics["slides"] = static_cast<double>(slides.size());
   }
   std::vector<std::string> abscissas() const override { return {"time", "displacement"}; }
+
+ public:
+  bool metrics_fail = false;
 };
 
 class SlideProgram : public testing::Test {
@@ -56,6 +62,7 @@ origin = "published"
     std::vector<const char*> words{"test_case"};
     for (const std::string& option : options) words.push_back(option.c_str());
     TestCase the_case;
+    the_case.metrics_fail = metrics_fail_;
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const int code = run_case(the_case, static_cast<int>(words.size()), words.data(), scratch_.path());
@@ -67,6 +74,7 @@ origin = "published"
 
   ScratchFolder scratch_;
   std::string text_, error_;
+  bool metrics_fail_ = false;
 };
 
 TEST_F(SlideProgram, RunsEveryReplicateAndWritesBands) {
@@ -222,6 +230,123 @@ rows = 10
   EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s\n");
   ASSERT_EQ(run({"--list"}), 0) << error_;  // on a closed-form sample there is none
   EXPECT_EQ(text_.find("alone"), std::string::npos);
+}
+
+TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
+  const auto metrics = [&](const std::string& interval, const std::string& engine) {
+    fs::remove_all(output());
+    EXPECT_EQ(run({"--engine", engine, "--point", "RD_r2", "--set", "stop.end_time=0.05", "--set",
+                   "rows.row_interval=" + interval, "--set", "rows.most_rows=10"}), 0) << error_;
+    const Result result = read_result(output() / "RD_r2.h5");
+    EXPECT_EQ(result.windows.size(), 3U);
+    return std::pair(values_of({result}, "peak"), windows_over(result, "time").column("shear_stress").values);
+  };
+  for (const std::string engine : {"elastic", "native"})
+    EXPECT_EQ(metrics("1e-4", engine), metrics("0.04", engine)) << engine;
+}
+
+TEST_F(SlideProgram, MeasuresAnElementTestTheSameWhateverRowsAreKept) {
+  scratch_.write("case.toml", slide_case_text() + R"([point.alone]
+figures = "12"
+sample = "loose"
+shear_rate = "5 1/s"
+final_strain = 1e-2
+[element_test]
+rows = 10
+[scale.quick]
+)");
+  const auto peak = [&](const std::string& rows) {
+    fs::remove_all(output());
+    EXPECT_EQ(run({"--engine", "native", "--point", "alone", "--set", "element_test.rows=" + rows}), 0) << error_;
+    const Result result = read_result(output() / "alone.h5");
+    EXPECT_EQ(result.windows.size(), 2U);
+    EXPECT_EQ(parameter_of({result}, "shear_rate"), 5.0);
+    return std::pair(values_of({result}, "peak"), windows_over(result, "shear_strain").column("shear_stress").values);
+  };
+  EXPECT_EQ(peak("10"), peak("123"));
+}
+
+TEST_F(SlideProgram, WritesWhatWasRunBeforeItIsJudged) {
+  metrics_fail_ = true;
+  EXPECT_NE(run({"--point", "RD"}), 0);
+  const Result result = read_result(output() / "RD.h5");  // the record is there, without the numbers
+  EXPECT_NEAR(result.series.last("time"), 4.0, 1e-9);
+  EXPECT_TRUE(values_of({result}, "distance").empty());
+  EXPECT_TRUE(fs::exists(output() / "RD.dat"));
+  EXPECT_EQ(run({"--check"}), 0) << error_;
+}
+
+TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
+  ASSERT_EQ(run({"--point", "RD", "--set", "point.RD.hydraulic_conductivity=1e-3", "--set",
+                 "loading.amplitude=2 kPa"}), 0) << error_;
+  const Result result = read_result(output() / "RD.h5");
+  EXPECT_EQ(parameter_of({result}, "hydraulic_conductivity"), 1e-3);
+  EXPECT_EQ(parameter_of({result}, "amplitude"), 2000.0);
+  EXPECT_EQ(parameter_of({result}, "time_step"), 1e-4);
+}
+
+TEST_F(SlideProgram, RunsUnderAnyLoading) {
+  const std::string table = scratch_.write("load.txt", "0 0\n0.1 3000\n").string();
+  for (const std::string loading : {"{history = 'constant'}", "{history = 'rate', rate = 1e4}", "{history = 'pulse'}"}) {
+    fs::remove_all(output());
+    EXPECT_EQ(run({"--set", "point.RD.loading=" + loading, "--set", "stop.end_time=0.05"}), 0) << loading << error_;
+  }
+  const auto file = scratch_.write("user.toml", "point.RD.loading = {history = 'table', file = '" + table + "'}\n");
+  fs::remove_all(output());
+  EXPECT_EQ(run({"--config", file.string(), "--set", "stop.end_time=0.05"}), 0) << error_;
+}
+
+TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
+  const std::string changed = "loading.amplitude = 2000.0 Pa, not \"3 kPa\"";
+  ASSERT_EQ(run({"--set", "loading.amplitude=2 kPa"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "not evaluated  Fig. 12  all_there  > 0       2");  // measured, but not judged
+  EXPECT_CONTAINS(text_, "not the paper's settings: " + changed);
+  EXPECT_CONTAINS(content_of(output() / "claims.json"), "\"measured\": 2, \"met\": null");
+  EXPECT_EQ(content_of(output() / "changes.txt"), changed + "\n");
+  ASSERT_EQ(run({"--list", "--set", "loading.amplitude=2 kPa"}), 0);
+  EXPECT_CONTAINS(text_, "pulse of 2 kPa over 2 s");
+  EXPECT_CONTAINS(error_, "settings that are not those of the case: " + changed + "; its claims are not evaluated");
+  ASSERT_EQ(run({"--list", "--json", "--set", "loading.amplitude=2 kPa"}), 0);
+  EXPECT_CONTAINS(text_, "\"changed\": [\"loading.amplitude = 2000.0 Pa, not ");
+}
+
+TEST_F(SlideProgram, JudgesAStudyThatChoosesAnotherDraw) {
+  ASSERT_EQ(run({"--seed", "8", "--replicates", "1", "--set", "rows.most_rows=20"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "met  Fig. 12");
+  EXPECT_FALSE(fs::exists(output() / "changes.txt"));
+}
+
+TEST_F(SlideProgram, RefusesNamesThatMeet) {
+  const auto refused = [&](const std::string& name) {
+    const auto file = scratch_.write("user.toml", "[point." + name + "]\nlike = 'RD'\n");
+    EXPECT_EQ(run({"--config", file.string()}), 2);
+    EXPECT_FALSE(fs::exists(output()));
+    return error_;
+  };
+  EXPECT_CONTAINS(refused("RD_r2"), "the name \"RD_r2\" is taken twice");
+  EXPECT_CONTAINS(refused("RD_over_time"), "the name \"RD_over_time\" is taken twice");
+  EXPECT_CONTAINS(refused("RI_profiles_band"), "a table of the figures");
+  EXPECT_CONTAINS(refused("claims"), "by the program");
+}
+
+TEST_F(SlideProgram, RefusesReplicatesThatAreOneSample) {
+  EXPECT_EQ(run({"--set", "sample.loose.seed_offsets=[5, 6, 5]"}), 2);
+  EXPECT_CONTAINS(error_, "replicates 1 and 3 of the sample \"loose\" are the same");
+  EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(SlideProgram, RefusesAReplicateWhoseSearchCameToTheSampleOfAnother) {
+  const std::vector<std::string> options{"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3"};
+  ASSERT_EQ(run(options), 0) << error_;
+  Result other = read_result(output() / "RD_r2.h5");
+  EXPECT_TRUE(other.provenance.sample.starts_with("loose ")) << other.provenance.sample;
+  fs::remove(output() / "RD_r2.h5");
+  other.provenance.replicate = 0;
+  other.provenance.point = "RI";
+  write_result(output() / "RI.h5", other);
+  EXPECT_EQ(run(options), 2);
+  EXPECT_CONTAINS(error_, "RI and RD_r2 are no replicates: they have the same sample \"loose\"");
+  EXPECT_FALSE(fs::exists(output() / "RD_r2.h5"));
 }
 
 TEST_F(SlideProgram, StartsGrainsLinear) {

@@ -76,8 +76,12 @@ Checkpoint checkpoint_of(Input& input) {
     for (int i = input.byte() % 3; i > 0; --i)
       slide.profiles.push_back({std::vector<double>(input.byte() % 3), std::vector<double>(input.byte() % 3),
                                 std::vector<double>(input.byte() % 3), 0, 0, 0, input.number<std::int8_t>()});
+    for (int i = input.byte() % 4; i > 0; --i)
+      slide.exchanges.over_strain.add(1e-3 * input.byte(), std::vector<double>(5, input.value()));
+    slide.exchanges.largest_strain = input.value();
     checkpoint.slide = slide;
   }
+  if (input.byte() % 2 == 0) checkpoint.measured = checkpoint.so_far.series;
   if (input.byte() % 4 == 0) checkpoint.shots.push_back({input.value(), input.value(), assembly_of(input)});
   return checkpoint;
 }
@@ -86,7 +90,9 @@ Checkpoint checkpoint_of(Input& input) {
 void spoil(hdf5::Group& root, Input& input) {
   static const char* const groups[] = {"checkpoint", "checkpoint/sample", "checkpoint/sample/numbers",
                                        "checkpoint/sample/grains", "checkpoint/slide", "checkpoint/slide/profiles",
-                                       "checkpoint/shots", "series", "metrics"};
+                                       "checkpoint/slide/exchanges", "checkpoint/slide/exchanges/over_strain",
+                                       "checkpoint/shots", "checkpoint/measured", "series", "metrics", "parameters",
+                                       "windows"};
   for (int i = input.byte() % 4; i > 0; --i) {
     try {
       auto group = root.group(groups[input.byte() % std::size(groups)]);
@@ -127,6 +133,11 @@ void check(const Checkpoint& checkpoint) {
   if (!checkpoint.slide) return;
   require(std::isfinite(checkpoint.slide->state.velocity) && checkpoint.slide->state.local_steps >= 0);
   for (const ProfileSums& sums : checkpoint.slide->profiles) require(sums.shear.size() == sums.velocity.size());
+  const ExchangeRecord& exchanges = checkpoint.slide->exchanges;
+  for (const WindowRecord* windows : {&exchanges.over_time, &exchanges.over_strain, &exchanges.over_displacement}) {
+    require(windows->width > 0.0 && windows->at >= windows->begin && windows->sums.size() == windows->values.size());
+    require(windows->number == 0 || windows->values.size() == windows->means.columns.size());
+  }
 }
 
 void read(const CheckpointStore& store) {

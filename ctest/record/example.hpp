@@ -52,6 +52,12 @@ inline Result example_result() {
   loading.rows.columns = {
       {"stress_change", "Delta tau_d", "Pa", "change of the driving shear stress", "", {0.0, 500.0}}};
   result.inputs = {loading};
+  result.parameters = {{"hydraulic_conductivity", 2e-5, "m/s", "hydraulic conductivity"}};
+  for (const char* abscissa : {"time", "displacement"}) {
+    result.windows.push_back(example_series(7));
+    result.windows.back().axis.name = abscissa;
+  }
+  result.provenance.sample = "loose 3f2a";
   return result;
 }
 

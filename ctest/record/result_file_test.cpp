@@ -31,6 +31,12 @@ TEST(ResultFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.series.column("shear_stress").values, result.series.column("shear_stress").values);
   ASSERT_EQ(read.metrics.size(), 2);
   EXPECT_EQ(read.metrics[0].value, 1234.5);
+  ASSERT_EQ(read.parameters.size(), 1);
+  EXPECT_EQ(read.parameters[0].name, "hydraulic_conductivity");
+  EXPECT_EQ(read.parameters[0].value, 2e-5);
+  ASSERT_EQ(read.windows.size(), 2);
+  EXPECT_EQ(read.windows[1].axis.name, "displacement");
+  EXPECT_EQ(read.windows[1].column("shear_stress").values, result.windows[1].column("shear_stress").values);
   const auto &from = read.provenance, &expected = result.provenance;
   EXPECT_EQ(from.git_revision, expected.git_revision);
   EXPECT_EQ(from.case_name, "fig03_undrained");
@@ -40,6 +46,7 @@ TEST(ResultFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(from.seed, -9007199254740993);
   EXPECT_EQ(from.mpi_ranks, 2);
   EXPECT_EQ(from.replicate, 3);
+  EXPECT_EQ(from.sample, "loose 3f2a");
   EXPECT_EQ(from.predicted_seconds, 60.0);
   EXPECT_EQ(from.processor_seconds, 75.0);
 }

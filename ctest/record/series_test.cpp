@@ -84,5 +84,16 @@ TEST(Metrics, MustBeFiniteNamedAndWithUnits) {
     EXPECT_THROW(check_metrics(std::array{bad}), std::invalid_argument) << bad.name;
 }
 
+TEST(Series, TellsWhichColumnsItHasAndTheirLastValues) {
+  Series series = example_series(3);
+  EXPECT_TRUE(series.has("time"));
+  EXPECT_TRUE(series.has("shear_stress"));
+  EXPECT_FALSE(series.has("velocity"));
+  EXPECT_EQ(series.last("time"), series.axis.values[2]);
+  EXPECT_EQ(series.last("normal_stress"), series.columns[1].values[2]);
+  EXPECT_TRUE(std::isnan(series.last("velocity")));
+  EXPECT_TRUE(std::isnan(example_series(0).last("time")));
+}
+
 }  // namespace
 }  // namespace flowslide

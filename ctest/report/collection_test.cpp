@@ -16,10 +16,15 @@ TEST(VerdictsFromJson, AreThoseThatWereWritten) {
   ASSERT_EQ(verdicts.size(), 2u);
   EXPECT_EQ(verdicts[0].claim.expectation(), "> 2 kPa");
   EXPECT_EQ(verdicts[0].measurement(), "2.5 kPa");
-  EXPECT_TRUE(verdicts[0].met);
+  EXPECT_EQ(verdicts[0].ruling, Ruling::met);
   EXPECT_EQ(verdicts[1].claim.relation, Relation::between);
   EXPECT_TRUE(std::isnan(verdicts[1].measured));
+  EXPECT_EQ(verdicts[1].ruling, Ruling::not_met);
   EXPECT_EQ(verdicts[1].reason, "not measured");
+  std::string open = example_claims;
+  open.replace(open.find("\"met\": false"), 12, "\"met\": null");
+  EXPECT_EQ(verdicts_from_json(open)[1].ruling, Ruling::not_evaluated);
+  EXPECT_EQ(json(verdicts_from_json(open)), json(verdicts_from_json(json(verdicts_from_json(open)))));
   const std::vector<Verdict> again = verdicts_from_json(json(verdicts));
   EXPECT_EQ(json(again), json(verdicts));
 }

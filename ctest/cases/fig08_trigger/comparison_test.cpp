@@ -5,14 +5,16 @@
 
 #include <cmath>
 
+#include "app/run_measures.hpp"
 #include "app/slide_run.hpp"
 
 namespace flowslide {
 namespace {
 
 /// tau and sigma stay at these up to 1 % strain, v at `velocity`.
-Result slide(double shear, double normal, double velocity = 1.0) {
+Result slide(double shear, double normal, double velocity = 1.0, int replicate = 0) {
   Result result;
+  result.provenance.replicate = replicate;
   result.series = slide_series();
   for (int row = 0; row <= 100; ++row) {
     std::vector<double> values(result.series.columns.size(), 0.0);
@@ -23,6 +25,7 @@ Result slide(double shear, double normal, double velocity = 1.0) {
     values[5] = normal;
     result.series.append_row(row, values);
   }
+  result.windows = measures_of_rows(result.series).windows();
   result.metrics = {{"strain_at_peak", 0.01, "1", ""}, {"peak_shear_stress", shear, "Pa", ""},
                     {"linearity_1", 1e-3 * shear, "1", ""}, {"linearity_2", 1e-4 * shear, "1", ""}};
   return result;
@@ -38,12 +41,27 @@ TEST(Comparison, HoldsTheDifferenceOfSchemesAgainstThatOfSamples) {
   // tau of the samples differs by 200 Pa, a deviation of sqrt(2) x 100 Pa; RD and RI differ by 30 Pa. sigma differs by
   // 60 Pa between RD and RI and by sqrt(2) x 200 Pa between samples.
   std::map<std::string, double> metrics;
-  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0), slide(1200.0, 5400.0, 2.0)}},
-                 {"RD_ramp", {slide(1030.0, 5060.0, 1.5), slide(1230.0, 5460.0, 1.5)}}}, metrics);
+  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0), slide(1200.0, 5400.0, 2.0, 1)}},
+                 {"RD_ramp", {slide(1030.0, 5060.0, 1.5), slide(1230.0, 5460.0, 1.5, 1)}}}, metrics);
   EXPECT_NEAR(metrics.at("path_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("peak_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("velocity_ratio"), 0.75, 1e-9);
   EXPECT_NEAR(metrics.at("linearity_gap"), 1.03 - 0.123, 1e-9);
+}
+
+TEST(Comparison, ComparesTheSamplesThatBothHave) {
+  // RD on samples 1, 2 and 4, RI on 1, 3 and 4: those on one sample differ by 30 and 60 Pa.
+  std::map<std::string, double> metrics;
+  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0, 0), slide(9000.0, 5000.0, 2.0, 2), slide(1200.0, 5400.0, 2.0, 3)}},
+                 {"RD_ramp", {slide(1030.0, 5000.0, 1.0, 0), slide(5.0, 5000.0, 1.0, 1), slide(1260.0, 5400.0, 1.0, 3)}}},
+                metrics);
+  EXPECT_NEAR(metrics.at("peak_difference_over_spread"), std::sqrt(0.5 * (900.0 + 3600.0)) / (100.0 * std::sqrt(2.0)),
+              1e-9);
+  EXPECT_NEAR(metrics.at("velocity_ratio"), 0.5, 1e-9);
+  metrics.clear();
+  compare_ramps({{"RI_ramp", {slide(1000.0, 1.0, 1.0, 0), slide(1.0, 1.0, 1.0, 2)}},
+                 {"RD_ramp", {slide(1000.0, 1.0, 1.0, 0), slide(1.0, 1.0, 1.0, 1)}}}, metrics);
+  EXPECT_TRUE(metrics.empty());  // one pair has no spread
 }
 
 TEST(Comparison, CountsTheExcessInStandardErrors) {

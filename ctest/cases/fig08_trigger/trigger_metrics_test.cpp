@@ -32,7 +32,8 @@ Series slide(double end) {
 
 std::map<std::string, double> metrics_of(const Series& series) {
   std::map<std::string, double> values;
-  for (const Metric& metric : trigger_metrics(series)) values[metric.name] = metric.value;
+  for (const Metric& metric : trigger_metrics(measures_of_rows(series), series.last("velocity")))
+    values[metric.name] = metric.value;
   return values;
 }
 
@@ -41,7 +42,8 @@ TEST(TriggerMetrics, FindThePeak) {
   EXPECT_NEAR(metrics.at("peak_shear_stress"), 4000.0, rounding);
   EXPECT_NEAR(metrics.at("strain_at_peak"), 0.01, rounding);
   EXPECT_NEAR(metrics.at("largest_inertial_number_before_peak"), 0.01, rounding);
-  EXPECT_EQ(peak_row(slide(1.0)), 10U);
+  EXPECT_NEAR(metrics.at("time_at_peak"), 1.0, rounding);
+  EXPECT_NEAR(metrics.at("normal_stress_at_peak"), 28000.0 - 2795.0, 1e-6);
 }
 
 TEST(TriggerMetrics, AverageBeyondHalfStrain) {
@@ -59,11 +61,11 @@ TEST(TriggerMetrics, AreNoNumberWithoutASteadyState) {
 }
 
 TEST(TriggerMetrics, GiveFrictionOverStrain) {
-  const Series mu = friction(slide(2.0));
+  const Series mu = friction(measures_of_rows(slide(2.0)).over_strain);
   EXPECT_EQ(mu.rows(), 60U);
   EXPECT_NEAR(mu.axis.values.back(), 1.4875, rounding);
   EXPECT_NEAR(mu.column("friction").values.back(), 0.5, rounding);
-  EXPECT_EQ(friction(slide(0.5)).rows(), 20U);  // as far as the record goes
+  EXPECT_EQ(friction(measures_of_rows(slide(0.5)).over_strain).rows(), 20U);  // as far as the record goes
 }
 
 }  // namespace

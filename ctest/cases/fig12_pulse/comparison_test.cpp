@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/run_measures.hpp"
 #include "app/slide_run.hpp"
 
 namespace flowslide {
 namespace {
 
-/// v = min(sqrt(2 a x), limit) up to x = 4 m, as the replicate of that number.
-Result slide(double acceleration, double limit, int replicate = 0) {
+/// v = min(sqrt(2 a x), limit) up to x = 4 m after a pulse (kPa), as the replicate of that number.
+Result slide(double acceleration, double limit, int replicate = 0, double amplitude = 3.0) {
   Result result;
+  result.parameters = {{"amplitude", 1e3 * amplitude, "Pa", ""}};
   result.provenance.replicate = replicate;
   result.series = slide_series();
   double largest = 0.0;
@@ -25,15 +27,18 @@ Result slide(double acceleration, double limit, int replicate = 0) {
     result.series.append_row(1e-3 * row, values);
     largest = std::max(largest, velocity);
   }
+  result.windows = measures_of_rows(result.series).windows();
   result.metrics = {{"largest_velocity", largest, "m/s", ""}};
   return result;
 }
 
+Series over_displacement(const Result& result) { return windows_over(result, "displacement"); }
+
 TEST(Comparison, FindsWhereTheSchemesPart) {
   // RD stays at 1.8 m/s: a tenth below RI where that has 2 m/s. Places stand 0.05 m apart, dv = a dx/v.
-  EXPECT_NEAR(parting_velocity(slide(1.0, 1.8).series, slide(1.0, 9.0).series), 2.0, 0.05 / 2.0);
+  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 1.8)), over_displacement(slide(1.0, 9.0))), 2.0, 0.05 / 2.0);
   // Never: up to the end at sqrt(2 x 4) m/s.
-  EXPECT_NEAR(parting_velocity(slide(1.0, 9.0).series, slide(1.0, 9.0).series), std::sqrt(8.0), 0.04);
+  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 9.0)), over_displacement(slide(1.0, 9.0))), std::sqrt(8.0), 0.04);
 }
 
 TEST(Comparison, TakesPairsOnOneSample) {
@@ -46,10 +51,10 @@ TEST(Comparison, TakesPairsOnOneSample) {
 TEST(Comparison, ComparesAmplitudes) {
   std::map<std::string, double> metrics;
   compare_schemes({{"RI_3kPa", {slide(1.0, 9.0)}},
-                   {"RI_4kPa", {slide(1.44, 9.0)}},
-                   {"RI_10kPa", {slide(4.0, 9.0)}},
+                   {"RI_mine", {slide(1.44, 9.0, 0, 4.0)}},  // the amplitude is a parameter, whatever the name
+                   {"RI_10kPa", {slide(4.0, 9.0, 0, 10.0)}},
                    {"RD_3kPa", {slide(1.0, 1.5), slide(1.0, 1.6), slide(1.0, 1.9)}},
-                   {"RD_4kPa", {slide(1.0, 1.5), slide(1.0, 1.8), slide(1.0, 2.1)}}},
+                   {"RD_4kPa", {slide(1.0, 1.5, 0, 4.0), slide(1.0, 1.8, 0, 4.0), slide(1.0, 2.1, 0, 4.0)}}},
                   metrics);
   EXPECT_NEAR(metrics.at("RI_growth"), 1.2, 1e-9);  // sqrt(1.44), the smaller of the two steps
   EXPECT_NEAR(metrics.at("RD_spread_over_amplitudes"), 0.2, 1e-9);
@@ -61,6 +66,7 @@ TEST(Comparison, SaysNothingOfWhatWasNotRun) {
   std::map<std::string, double> metrics;
   compare_schemes({{"RD_3kPa", {slide(1.0, 1.8)}}}, metrics);
   EXPECT_TRUE(metrics.empty());
+  EXPECT_TRUE(std::isnan(parting_velocity(Series{}, over_displacement(slide(1.0, 1.0)))));  // it has not moved
 }
 
 }  // namespace

@@ -30,15 +30,14 @@ Series slide(double end, double after, double liquefied = 100.0) {
   return series;
 }
 
-SlideSettings settings() {
-  SlideSettings settings;
-  settings.loading = SinePulse{3e3, 1.0};
-  return settings;
-}
-
-std::map<std::string, double> metrics_of(const Series& series) {
+std::map<std::string, double> metrics_of(const Series& series, const StressHistory& loading = SinePulse{3e3, 1.0}) {
+  SlidePoint point;
+  point.settings.loading = loading;
+  const RunMeasures measures = measures_of_rows(series);
+  const Series profiles;
   std::map<std::string, double> values;
-  for (const Metric& metric : runout_metrics(series, settings())) values[metric.name] = metric.value;
+  for (const Metric& metric : runout_metrics({point, series, measures, profiles, Stop::end_time}))
+    values[metric.name] = metric.value;
   return values;
 }
 
@@ -70,8 +69,19 @@ TEST(RunoutMetrics, AreNoNumberAfterAPulseThatLasts) {
   EXPECT_NEAR(metrics.at("final_velocity"), 1.7, rounding);
 }
 
-TEST(RunoutMetrics, NeedAPulse) {
-  EXPECT_THROW(runout_metrics(slide(1.0, 0.0), SlideSettings{}), std::invalid_argument);
+TEST(RunoutMetrics, SayOfAnyLoadingWhatTheyCan) {
+  const auto metrics = metrics_of(slide(3.0, -0.5), StressTable{{0.0, 1.0}, {0.0, 5e3}});
+  EXPECT_TRUE(std::isnan(metrics.at("velocity_after_pulse")));
+  EXPECT_TRUE(std::isnan(metrics.at("liquefied_shear_stress")));
+  EXPECT_NEAR(metrics.at("final_velocity"), 2.0 - 0.5 * 1.95, rounding);
+  EXPECT_EQ(metrics.at("peak_shear_stress"), 3000.0);
+}
+
+TEST(RunoutMetrics, LeaveOutWhatAShortRecordDoesNotHave) {
+  const auto metrics = metrics_of(slide(0.05, 0.0));
+  EXPECT_TRUE(std::isnan(metrics.at("largest_velocity")));
+  EXPECT_TRUE(std::isnan(metrics.at("final_velocity")));
+  EXPECT_NEAR(metrics.at("final_displacement"), 0.0025, rounding);
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace {
 constexpr double rounding = 1e-12;
 
 /// Samples that have these velocities after the pulse and at most; those of none have stopped.
-Ensemble samples(const std::vector<double>& velocities) {
+Ensemble samples(double k, const std::vector<double>& velocities) {
   Ensemble all(velocities.size());
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     all[i].provenance.replicate = static_cast<int>(i);
+    all[i].parameters = {{"hydraulic_conductivity", k, "m/s", ""}};
     all[i].metrics = {{"sliding_stopped", velocities[i] > 0.0 ? 0.0 : 1.0, "1", ""},
                       {"velocity_after_pulse", velocities[i], "m/s", ""},
                       {"largest_velocity", velocities[i], "m/s", ""},
@@ -24,16 +25,16 @@ Ensemble samples(const std::vector<double>& velocities) {
 }
 
 TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
-  const Ensembles slides{{"RI_0", samples({2.0, 1.0})},
-                         {"RI_1e-5", samples({1.9, 0.95})},
-                         {"RI_2e-5", samples({2.1, 0.4})},
-                         {"RI_4e-5", samples({0.5, 0.2})},
-                         {"RI_1e-4", samples({0.0, 0.0})}};
-  const auto sweep = sweep_of(slides, "RI_");
-  EXPECT_EQ(critical_conductivity(sweep, 0).lower, 2e-5);
-  EXPECT_EQ(critical_conductivity(sweep, 0).upper, 4e-5);
-  EXPECT_EQ(critical_conductivity(sweep, 1).lower, 1e-5);
-  EXPECT_EQ(critical_conductivity(sweep, 1).upper, 2e-5);
+  const Ensembles slides{{"RI_0", samples(0, {2.0, 1.0})},
+                         {"RI_1e-5", samples(1e-5, {1.9, 0.95})},
+                         {"RI_2e-5", samples(2e-5, {2.1, 0.4})},
+                         {"RI_mine", samples(4e-5, {0.5, 0.2})},  // k is a parameter, whatever the name
+                         {"RI_1e-4", samples(1e-4, {0.0, 0.0})}};
+  const auto sweep = sweep_of(slides, "RI_", "hydraulic_conductivity");
+  EXPECT_EQ(critical_conductivity(sweep, slides.at("RI_0")[0]).lower, 2e-5);
+  EXPECT_EQ(critical_conductivity(sweep, slides.at("RI_0")[0]).upper, 4e-5);
+  EXPECT_EQ(critical_conductivity(sweep, slides.at("RI_0")[1]).lower, 1e-5);
+  EXPECT_EQ(critical_conductivity(sweep, slides.at("RI_0")[1]).upper, 2e-5);
   std::map<std::string, double> metrics;
   compare_conductivities(slides, metrics);
   EXPECT_NEAR(metrics.at("critical_conductivity"), 0.5 * (std::sqrt(8e-10) + std::sqrt(2e-10)), rounding);
@@ -47,30 +48,30 @@ TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
 }
 
 TEST(CriticalConductivity, IsWideWhereTheOrderIsMixed) {
-  const Ensembles slides{{"RI_0", samples({1.0})},
-                         {"RI_1e-5", samples({1.0})},
-                         {"RI_2e-5", samples({0.4})},
-                         {"RI_4e-5", samples({1.0})},
-                         {"RI_1e-4", samples({0.0})}};
-  const auto critical = critical_conductivity(sweep_of(slides, "RI_"), 0);
+  const Ensembles slides{{"RI_0", samples(0, {1.0})},
+                         {"RI_1e-5", samples(1e-5, {1.0})},
+                         {"RI_2e-5", samples(2e-5, {0.4})},
+                         {"RI_4e-5", samples(4e-5, {1.0})},
+                         {"RI_1e-4", samples(1e-4, {0.0})}};
+  const auto critical = critical_conductivity(sweep_of(slides, "RI_", "hydraulic_conductivity"), Result{});
   EXPECT_EQ(critical.lower, 1e-5);
   EXPECT_EQ(critical.upper, 1e-4);
 }
 
 TEST(CriticalConductivity, IsUnknownIfNothingChangesOrNothingIsUndrained) {
-  const Ensembles alike{{"RI_0", samples({2.0})}, {"RI_1e-5", samples({2.0})}};
-  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(alike, "RI_"), 0).upper));
-  const Ensembles drained{{"RI_1e-5", samples({2.0})}, {"RI_1e-4", samples({0.0})}};
-  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(drained, "RI_"), 0).lower));
-  EXPECT_TRUE(std::isnan(critical_conductivity({}, 0).lower));
+  const Ensembles alike{{"RI_0", samples(0, {2.0})}, {"RI_1e-5", samples(1e-5, {2.0})}};
+  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(alike, "RI_", "hydraulic_conductivity"), Result{}).upper));
+  const Ensembles drained{{"RI_1e-5", samples(1e-5, {2.0})}, {"RI_1e-4", samples(1e-4, {0.0})}};
+  EXPECT_TRUE(std::isnan(critical_conductivity(sweep_of(drained, "RI_", "hydraulic_conductivity"), Result{}).lower));
+  EXPECT_TRUE(std::isnan(critical_conductivity({}, Result{}).lower));
   EXPECT_EQ(critical_series(alike).rows(), 0U);
 }
 
 TEST(CompareConductivities, TellsTheOrderOfRD) {
-  const Ensembles slides{{"RD_0", samples({2.0})},
-                         {"RD_1e-5", samples({1.5})},
-                         {"RD_4e-5", samples({1.6})},
-                         {"RD_1e-4", samples({1.0})}};
+  const Ensembles slides{{"RD_0", samples(0, {2.0})},
+                         {"RD_1e-5", samples(1e-5, {1.5})},
+                         {"RD_4e-5", samples(4e-5, {1.6})},
+                         {"RD_1e-4", samples(1e-4, {1.0})}};
   std::map<std::string, double> metrics;
   compare_conductivities(slides, metrics);
   EXPECT_NEAR(metrics.at("RD_velocity_order"), -0.8, rounding);  // two neighbours exchanged: 1 - 6 x 2/60

@@ -45,6 +45,10 @@ TEST(Answers, LookAtLinearityAfterLiquefactionAlone) {
 
 TEST(Answers, FitTheSteadyStates) {
   EXPECT_EQ(steady_states(some_slides()).size(), 5u);
+  Ensembles torn = some_slides();
+  torn["flow_loose"][1].metrics.pop_back();  // without its friction, its inertial number is no state
+  EXPECT_EQ(steady_states(torn).size(), 4u);
+  EXPECT_EQ(steady_states(torn)[1].inertial_number, 0.1);
   std::map<std::string, double> metrics;
   add_answers(some_slides(), metrics);
   EXPECT_NEAR(metrics.at("mu_s"), 0.3, 2e-3);
@@ -72,6 +76,8 @@ TEST(Answers, SizesAreInOrder) {
   EXPECT_EQ(sizes.columns[0].values, (std::vector<double>{5.0, 3.0}));
   EXPECT_EQ(sizes.columns[2].values, (std::vector<double>{5.0, 4.0}));
   EXPECT_EQ(sizes_series({}, "pulse_glued").rows(), 0u);
+  // A closed-form sample has no grains.
+  EXPECT_EQ(sizes_series({{"pulse_glued", {with({{"largest_velocity", 1.0, "m/s", "v_max"}})}}}, "pulse_glued").rows(), 0u);
 }
 
 }  // namespace

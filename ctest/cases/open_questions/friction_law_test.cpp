@@ -41,6 +41,9 @@ TEST(FrictionLaw, TheFitIsNoWorseThanTheLawBehindNoisyStates) {
 
 TEST(FrictionLaw, RefusesWhatTellsNoLaw) {
   const std::vector<SteadyState> states = states_of({0.3, 0.7, 0.05});
+  EXPECT_TRUE(tell_a_law(states));
+  EXPECT_FALSE(tell_a_law({}));
+  EXPECT_FALSE(tell_a_law(std::vector<SteadyState>(5, {0.1, 0.4})));
   EXPECT_THROW(fit_friction_law({states.begin(), states.begin() + 3}), std::invalid_argument);
   EXPECT_THROW(fit_friction_law(std::vector<SteadyState>(5, {0.1, 0.4})), std::invalid_argument);
   EXPECT_THROW(fit_friction_law({{0.0, 0.3}, {0.1, 0.4}, {0.2, 0.4}, {0.3, 0.4}}), std::invalid_argument);

@@ -49,7 +49,7 @@ TEST(PointMetrics, FrictionOfAHeldSlopeIsThatOfTheMeansBeyondHalfAStrain) {
       slide_series(), 1e-2, 150, column("shear_stress", [](double strain) { return strain < 0.5 ? 4000.0 : 300.0; }),
       column("normal_stress", [](double strain) { return strain < 0.5 ? 28e3 : strain < 1.0 ? 500.0 : 1000.0; }),
       column("velocity", [](double strain) { return 2.0 * strain; }));
-  const auto metrics = by_name(held_metrics(series, {}));
+  const auto metrics = by_name(held_metrics(measures_of_rows(series), {}, series.last("velocity")));
   EXPECT_NEAR(metrics.at("steady_friction"), 0.4, 5e-3);  // 300/750, but for the rows beside the jumps
   EXPECT_DOUBLE_EQ(metrics.at("final_velocity"), 3.0);
   EXPECT_EQ(metrics.size(), 2u);  // no profiles, no linearity

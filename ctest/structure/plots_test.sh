@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# plots_test.sh: the scripts of the figures name columns, never numbers; and what they share finds columns, rows and labels
+# in a folder whose name a shell would run, ends with 2 for a table or column that is missing, and draws tables without rows.
+set -euo pipefail
+source_dir=$(cd "$(dirname "$0")/../.." && pwd)
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+failures=0
+complain() { echo "$1"; failures=$((failures + 1)); }
+
+for script in "$source_dir"/plots/*.gp; do
+  if grep -nE '\$[0-9]|column\([0-9]|strcol\([0-9]|using [0-9]+[: ]|using .*[):][0-9]+(:| with| every| \\)' "$script"; then
+    complain "$(basename "$script") names a column by its number"
+  fi
+done
+
+folder="$room/it's \$(touch hacked) \"a b\""
+mkdir "$folder"
+cd "$room"
+# table FILE ROWS...: as write_table writes it.
+table() {
+  printf '# case: test\n# column 1: time | t | s | time |\n# column 2: stress | tau | Pa | shear stress |\n' >"$folder/$1"
+  printf '%s\n' "${@:2}" >>"$folder/$1"
+}
+table RD.dat '0 2' '1 5' '2 8'
+table RD_r2.dat '0 3'
+printf '# slide\ttime\nRD\t0.25\n' >"$folder/peaks.dat"
+printf 'RD\t{/:Italic A} = 3 kPa\n' >"$folder/legend.dat"
+# draw TABLES COMMANDS: exit code in `code`, what is printed in `said`.
+draw() {
+  cat >"$room/test.gp" <<GNUPLOT
+tables = "$1"; command = "make them"
+script = ARG0; folder = ARG1; picture = ARG2
+here = "$source_dir/plots/"
+load here."style.gp"
+$2
+GNUPLOT
+  code=0
+  said=$(gnuplot -c "$room/test.gp" "$folder" "$folder/picture" 2>&1) || code=$?
+}
+expect() { [[ $code == "$1" && $said == *"$2"* ]] || complain "expected $1 with '$2', got $code with '$said'"; }
+
+draw 'RD.dat' 'eval columns("of_", "RD.dat", "time stress"); print of_time, of_stress, replicates("RD"), rows("RD.dat")'
+expect 0 '1 2 2 3'
+draw 'peaks.dat' 'eval columns("", "peaks.dat", "slide time"); print slide, time, first_of("peaks.dat", time)'
+expect 0 '1 2 0.25'
+draw 'RD.dat' 'print mean_of("RD.dat", 2), " ", label_of("RD"), " ", label_of("RI")'
+expect 0 '5.0   {/:Italic A} = 3 kPa   RI'
+draw 'RI.dat' 'print "drawn"'
+expect 2 'no table'
+draw 'RD.dat' 'eval columns("", "RD.dat", "time velocity"); print "drawn"'
+expect 2 'RD.dat has no column velocity'
+draw 'RD.dat' 'eval optional_columns("", "RD.dat", "time velocity"); print velocity == missing_column'
+expect 0 '1'
+: >"$folder/RD_r2.dat"
+draw 'RD.dat' 'print replicates("RD")'
+expect 0 '1'
+
+table empty.dat
+draw 'empty.dat' 'eval columns("", "empty.dat", "time stress"); set terminal png; set output picture
+set xrange [0:*]; set yrange [0:*]; eval frame("empty.dat", "set xrange [0:1]; set yrange [0:1]")
+plot data("empty.dat") using (column(time)):(column(stress)) with lines; print first_of("empty.dat", stress)'
+expect 0 'NaN'
+[[ -s $folder/picture ]] || complain 'a table without rows is not drawn'
+
+mkdir "$folder/so_far"
+cp "$folder/RD.dat" "$folder/so_far"
+folder="$folder/so_far"
+draw 'RD.dat RI.dat' 'eval columns("", "RI.dat RD.dat", "stress other"); print stress, other == missing_column'
+expect 0 '2 1'
+
+[[ -z $(find "$room" -name hacked) ]] || complain 'a name was run by a shell'
+echo "$failures failures"
+((failures == 0))
