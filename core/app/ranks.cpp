@@ -29,7 +29,7 @@ bool failed(int code) { return code != to_int(ExitCode::ok) && code != to_int(Ex
 }  // namespace
 
 void on_first_rank(const std::function<void()>& action) {
-  ensure_mpi();
+  if (mpi_ranks() == 1) return action();
   std::exception_ptr failure;
   if (mpi_rank() == 0) {
     try {
@@ -45,7 +45,7 @@ void on_first_rank(const std::function<void()>& action) {
 }
 
 bool same_on_all_ranks(bool value) {
-  ensure_mpi();
+  if (mpi_ranks() == 1) return value;
   int number = value ? 1 : 0;
   MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return number != 0;

@@ -23,8 +23,6 @@
 namespace flowslide {
 namespace {
 
-}
-
 std::string row_text(const Series& rows) {
   return fmt::format("t {:.3f} s, strain {:.2f} %, tau {:.0f} Pa, sigma {:.0f} Pa", rows.axis.values.back(),
                      100.0 * rows.column("shear_strain").values.back(), rows.column("shear_stress").values.back(),

@@ -55,6 +55,15 @@ const MpiSession& session() {
   return the_session;
 }
 
+/// Whether other processes may belong to this one: a launcher such as mpirun has started it, or its host has started MPI.
+/// A process alone starts MPI, which takes a third of a second, only when LIGGGHTS needs it.
+bool may_have_ranks() {
+  static const bool launched = std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
+  int initialized = 0;
+  MPI_Initialized(&initialized);
+  return launched || initialized;
+}
+
 /// Instances that no engine uses, kept to be cleared and used again.
 std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
   static std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>> instances;
@@ -77,9 +86,10 @@ LAMMPS_NS::LAMMPS* start() {
 
 void ensure_mpi() { session(); }
 
-MPI_Comm communicator_at_end() { return session().at_end(); }
+MPI_Comm communicator_at_end() { return may_have_ranks() ? session().at_end() : MPI_COMM_NULL; }
 
 int mpi_rank() {
+  if (!may_have_ranks()) return 0;
   ensure_mpi();
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -87,6 +97,7 @@ int mpi_rank() {
 }
 
 int mpi_ranks() {
+  if (!may_have_ranks()) return 1;
   ensure_mpi();
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
