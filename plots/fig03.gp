@@ -12,7 +12,7 @@ array colour[4] = [vermillion, orange, sky, blue]
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
 # Drawn thin, from the second on. A loop over none runs once: it then draws the first again, which does not show.
-replicate(i, r) = r > replicates(word(points, i)) ? table(i) : replicate_file(word(points, i), r)
+thin(i, r) = r > replicates(word(points, i)) ? table(i) : replicate_file(word(points, i), r)
 threshold = 1e-3   # of the inertial number: a flow is quasi-static well below it
 
 do for [format in "png pdf"] {
@@ -31,7 +31,7 @@ do for [format in "png pdf"] {
   set key at graph 0, 1.02 left top Left reverse
   plot for [i = 1:4] table(i) using (kilo * column(normal_stress)):(kilo * column(shear_stress)) \
     with lines linewidth 1.2 linecolor rgb colour[i] title label_of(word(points, i)), \
-    for [i = 1:4] for [r = 2:replicates(word(points, i))] replicate(i, r) \
+    for [i = 1:4] for [r = 2:replicates(word(points, i))] thin(i, r) \
     using (kilo * column(normal_stress)):(kilo * column(shear_stress)) \
     with lines linewidth 0.3 linecolor rgb colour[i] notitle, \
     for [i = 1:4] other_table(i) using (kilo * column(normal_stress)):(if_others * kilo * column(shear_stress)) \
@@ -45,7 +45,7 @@ do for [format in "png pdf"] {
   unset key
   plot for [i = 1:4] table(i) using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
     with lines linewidth 1.2 linecolor rgb colour[i] notitle, \
-    for [i = 1:4] for [r = 2:replicates(word(points, i))] replicate(i, r) \
+    for [i = 1:4] for [r = 2:replicates(word(points, i))] thin(i, r) \
     using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
     with lines linewidth 0.3 linecolor rgb colour[i] notitle, \
     for [i = 1:4] other_table(i) using (percent * column(shear_strain)):(if_others * kilo * column(shear_stress)) \

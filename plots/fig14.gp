@@ -64,7 +64,11 @@ do for [format in "png pdf"] {
   set xrange [*:*]; set yrange [0:3.5]
   set offsets graph 0.2, graph 0.08, 0, 0
   set key at graph 0.02, 1.0 left top Left reverse notitle
-  if (rows("sweep.dat") == 0 || value("RD_largest_velocity_median") == missing_column) { set xrange [0.7:0.9] }
+  # Without values, or with one void ratio alone, as of a closed-form sample, there is no range to choose.
+  one = first_of("sweep.dat", RD_initial_void_ratio_median); mean = mean_of("sweep.dat", RD_initial_void_ratio_median)
+  if (value("RD_largest_velocity_median") == missing_column || one != one || abs(one - mean) < 1e-6) {
+    set xrange [(one == one ? one - 0.05 : 0.7):(one == one ? one + 0.05 : 0.9)]
+  }
   plot for [s in "RD RI"] sweep using (column(RD_initial_void_ratio_median)):(column(largest(s, "median"))): \
          (column(largest(s, "lowest"))):(column(largest(s, "highest"))) \
          with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s eq "RD" ? vermillion : blue) \

@@ -24,11 +24,11 @@ array colour[15] = [blue, vermillion, green, purple, orange, black, sky, purple,
                     black, blue, green, vermillion]
 array symbol[15] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
 of_axis(s, i, action) = sprintf("LC_ALL=C awk -F '\\t' -v axis='\"%s\"' '$%d == axis %s' %s", axis_names[i], \
-                                axis, action, shell_quoted(data(word(errors, s))))
+                                axis, action, shell_quoted(path(word(errors, s))))
 rows_of(s, i) = "< ".of_axis(s, i, "")
 has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
 paper(s) = real(system(sprintf("LC_ALL=C awk -F '\\t' -v s=%s '$%d == s {v = $%d} END {print v + 0}' %s", scene[s], \
-                               paper_scene, paper_seconds, shell_quoted(data("paper.dat")))))
+                               paper_scene, paper_seconds, shell_quoted(path("paper.dat")))))
 least_error = 1e-3; largest_error = 100.0
 
 set datafile separator "\t"

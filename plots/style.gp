@@ -8,9 +8,11 @@ if (picture eq "") {
   print sprintf("usage: gnuplot -c %s DATADIR OUTPUT   (writes OUTPUT.png and OUTPUT.pdf)", script)
   exit status 2
 }
-# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out.
+# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out. data(NAME) is what
+# is drawn of a table, path(NAME) the table itself.
 so_far = folder eq "so_far" || strlen(folder) > 6 && folder[strlen(folder) - 6:*] eq "/so_far"
-data(name) = so_far && !readable(folder."/".name) ? "/dev/null" : folder."/".name
+path(name) = so_far && !readable(folder."/".name) ? "/dev/null" : folder."/".name
+data(name) = rows(name) > 0 ? path(name) : here."nothing.dat"
 # A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
 if (!exists("beside")) beside = ""
 others = beside eq "" ? 0 : 1
@@ -20,14 +22,14 @@ shell_quoted(s) = "'".escaped(s)."'"
 escaped(s) = strstrt(s, "'") == 0 ? s : s[1:strstrt(s, "'") - 1]."'\\''".escaped(s[strstrt(s, "'") + 1:*])
 readable(file) = int(system("test -s ".shell_quoted(file)." && echo 1 || echo 0"))
 do for [table in tables] {
-  if (!so_far && !readable(data(table)) || (others && !readable(other(table)))) {
-    print sprintf("%s: no table %s. Make it with: %s", script, readable(data(table)) ? other(table) : data(table), command)
+  if (!so_far && !readable(path(table)) || (others && !readable(other(table)))) {
+    print sprintf("%s: no table %s. Make it with: %s", script, readable(path(table)) ? other(table) : path(table), command)
     exit status 2
   }
 }
 
 # What table.awk says of some tables, which are named with blanks between.
-paths(tables, i) = i > words(tables) ? "" : shell_quoted(data(word(tables, i)))." ".paths(tables, i + 1)
+paths(tables, i) = i > words(tables) ? "" : shell_quoted(path(word(tables, i)))." ".paths(tables, i + 1)
 asked(what, options, tables) = \
   system(sprintf("LC_ALL=C awk -f %s -v ask=%s %s %s", shell_quoted(here."table.awk"), what, options, paths(tables, 1)))
 # columns(PREFIX, TABLES, NAMES): to be evaluated. It sets PREFIXNAME to the number of each column, for tables that have the
@@ -46,8 +48,9 @@ mean_of(table, number) = number_in(asked("mean", sprintf("-v number=%d", number)
 # in a frame of its own choice. RANGES are commands such as "set yrange [0:1]".
 frame(tables, ranges) = rows(tables) > 0 ? "" : ranges
 # The files of all replicates of a slide, one after the other: replicate_file(SLIDE, 1) and on, to replicates(SLIDE).
-replicate_file(slide, r) = data(slide.(r == 1 ? "" : sprintf("_r%d", r)).".dat")
-replicates_from(slide, r) = readable(replicate_file(slide, r + 1)) ? replicates_from(slide, r + 1) : r
+replicate(slide, r) = slide.(r == 1 ? "" : sprintf("_r%d", r)).".dat"
+replicate_file(slide, r) = data(replicate(slide, r))
+replicates_from(slide, r) = readable(path(replicate(slide, r + 1))) ? replicates_from(slide, r + 1) : r
 replicates(slide) = replicates_from(slide, 1)
 
 # Labels of the curves: DATADIR/legend.dat, lines of `point<TAB>label`. A point that it does not name keeps its own name.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/slide_run.hpp"
+#include "app/slide_series.hpp"
 #include "grains/measures.hpp"
 
 namespace flowslide {

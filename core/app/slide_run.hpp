@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/run_measures.hpp"
+#include "app/slide_series.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
 #include "record/series.hpp"
@@ -18,9 +19,6 @@ struct RowSpacing {
   double strain = std::numeric_limits<double>::infinity();    ///< gamma
   std::int64_t most_rows = 2000;                              ///< the first and the last always among them
 };
-
-/// Columns of a slide in the order of the tables; the axis is the global clock.
-Series slide_series();
 
 /// The record of a slide. Kept with the slide's state and its sample, it goes on where it was.
 struct SlideRecord {

@@ -41,12 +41,6 @@ ElasticSample elastic() {
   return ElasticSample(properties);
 }
 
-TEST(SlideSeries, NamesEveryColumnOnce) {
-  const Series series = slide_series();
-  EXPECT_NO_THROW(series.check());
-  EXPECT_EQ(series.rows(), 0U);
-}
-
 TEST(RunSlide, RecordsTheStateInEveryColumn) {
   ElasticSample sample = elastic();
   SlideSettings settings = pulsed();
