@@ -13,8 +13,7 @@ template <typename Read, typename Value>
 void take_three(const Tables& tables, const FieldKey& key, const std::vector<Read>& read,
                 std::array<Value, 3>& values) {
   if (read.size() != values.size())
-    tables.refuse(key.name, fmt::format("has {} values, but 3 are needed", read.size()),
-                  "give a list such as [1, 2, 3]");
+    tables.refuse(key.name, fmt::format("has {} values, but 3 are needed", read.size()), "give a list of three");
   std::transform(read.begin(), read.end(), values.begin(), [](Read value) { return static_cast<Value>(value); });
 }
 

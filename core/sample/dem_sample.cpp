@@ -47,6 +47,7 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
                                           "sheared across its faces; make z rigid, or all grains mobile"
                                         : "the sample has no glued layer to shear it by; prepare it with prepare_sample");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
+  validate_fields(settings);
   engine_.load(assembly, settings);
   stress_ = prepared_ = engine_.cell_stress();
   inspect_time_step();

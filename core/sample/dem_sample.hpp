@@ -12,8 +12,9 @@ namespace flowslide {
 /// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
-  /// Loads the assembly, which needs glued layers unless z is periodic; throws std::invalid_argument without them, with
-  /// them in a cell that is periodic along z, or if the time step is not possible for its smallest grain, NumericalFailure if not for its contacts (see check_contact_time_step).
+  /// Loads the assembly, which needs glued layers unless z is periodic. Throws std::invalid_argument without them, with
+  /// them in a cell that is periodic along z, for settings out of their bounds, or for a time step that is too long for
+  /// the smallest grain, and NumericalFailure for one that is too long for the contacts (see check_contact_time_step).
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
   /// Gives every mobile grain the velocity of simple shear at `shear_rate` (1/s) at its height above the bottom, or

@@ -283,7 +283,7 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:20:12: ");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
-                  "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list such as");
+                  "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list of three");
   // More than an int holds would otherwise come out as some other lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");

@@ -248,5 +248,23 @@ TEST_F(DemSampleGoesOn, ButNotFromTheStateOfAnother) {
   refuse([](SampleState& s) { s.numbers.erase("time"); });
 }
 
+TEST(DemSampleSettings, AreRefusedOutOfTheirBounds) {
+  const auto complaint = [](auto&& change) -> std::string {
+    EngineSettings settings{Material{}, step, 0.0};
+    change(settings);
+    DoubleEngine engine;
+    try {
+      DemSample(engine, touching_lattice(), settings);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint([](EngineSettings& s) { s.material.restitution = 1.5; }),
+            "material.restitution = 1.5 is not allowed: it must be above 0 and at most 1; change it");
+  EXPECT_EQ(complaint([](EngineSettings& s) { s.drag = -1.0; }),
+            "drag = -1 kg/s is not allowed: it must be at least 0 kg/s; change it");
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -106,7 +106,7 @@ TEST_F(UndrainedProgram, RefusesSizesThatNothingHas) {
   EXPECT_CONTAINS(complaint_about("packing.lattice=[0, 10, 10]"), "it must be between 3 and");
   EXPECT_CONTAINS(complaint_about("packing.lattice=[-10, 10, 10]"), "it must be between 3 and");
   EXPECT_CONTAINS(complaint_about("packing.lattice=[10, 10]"),
-                  "the value does not have the three counts of a lattice; write it as");
+                  "the value has 2 values, but 3 are needed; give a list of three");
   EXPECT_EQ(complaint_about("packing.smallest_diameter=0 mm"),
             "flowslide: --set packing.smallest_diameter=0 mm: the value is not allowed: it must be above 0 m; give "
             "another\n");
@@ -195,7 +195,7 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   other.insert(other.end(), {"--set", "shear.rows=11"});
   const Outcome refused = run(other);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_CONTAINS(refused.error, "holds the point \"I_2e-2\" of another configuration");
+  EXPECT_CONTAINS(refused.error, "is the result of another run (shear.rows = 10 there, 11 now)");
 
   // These are not the settings of the paper: no claim about Fig. 4 is evaluated, of a point that was run or not.
   Options check = small;
