@@ -64,9 +64,9 @@ std::string status_table(const std::vector<PointStatus>& points) {
   std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "point", width, "state",
                                  "done", "kept before");
   for (const PointStatus& point : points) {
-    const bool kept = !point.place.empty();
-    text += fmt::format("{:{}}  {:9}  {:>3.0f} %  {:>12}  {}\n", point.point, width, point.state,
-                        100.0 * point.share_done, kept ? duration_text(point.age) : "-", kept ? point.place : "-");
+    text +=
+        fmt::format("{:{}}  {:9}  {:>3.0f} %  {:>12}  {}\n", point.point, width, point.state, 100.0 * point.share_done,
+                    point.age > 0.0 ? duration_text(point.age) : "-", point.place.empty() ? "-" : point.place);
   }
   for (const PointStatus& point : points)
     if (!point.sample.empty()) text += fmt::format("sample of {}: {}\n", point.point, point.sample);

@@ -14,7 +14,7 @@ std::string content_of(const InputTable& table) {
   };
   add(table.rows.axis);
   for (const Column& column : table.rows.columns) add(column);
-  return fmt::format("{} rows, {}", table.rows.rows(), hash_of(text));
+  return fmt::format("{} rows (hash {})", table.rows.rows(), hash_of(text));
 }
 
 }  // namespace flowslide

@@ -13,8 +13,8 @@ struct InputTable {
   Series rows;
 };
 
-/// The number of rows and the hash of all numbers: "3 rows, 0123...". Equal texts stand for equal rows, whatever the
-/// file looked like.
+/// The number of rows and the hash of all numbers: "3 rows (hash 0123...)". Equal texts stand for equal rows, whatever
+/// the file looked like.
 std::string content_of(const InputTable& table);
 
 }  // namespace flowslide

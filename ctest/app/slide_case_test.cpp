@@ -119,13 +119,13 @@ TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
 
   scratch_.write("quake.txt", "0 0\n1 501\n");
   EXPECT_EQ(run(mine), 2);
-  EXPECT_CONTAINS(error_, "is the result of another run (loading table = 2 rows, ");
+  EXPECT_CONTAINS(error_, "is the result of another run (loading table = 2 rows (hash ");
   EXPECT_EQ(run(with("--check")), 2);
-  EXPECT_CONTAINS(error_, "is the result of another run (loading table = 2 rows, ");
+  EXPECT_CONTAINS(error_, "is the result of another run (loading table = 2 rows (hash ");
   EXPECT_EQ(run(with("--status")), 0);
   EXPECT_CONTAINS(text_, "outdated");
   EXPECT_EQ(run(with("--so-far")), 2);
-  EXPECT_CONTAINS(error_, "RD: left out: of another run: loading table = 2 rows, ");
+  EXPECT_CONTAINS(error_, "RD: left out: of another run: loading table = 2 rows (hash ");
 
   ASSERT_EQ(run(with("--afresh")), 0) << error_;
   ASSERT_EQ(run(with("--check")), 0) << error_;
