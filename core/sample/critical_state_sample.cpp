@@ -12,6 +12,9 @@
 namespace flowslide {
 namespace {
 
+/// Of one answer: more would be a strain of 1000 % and more in one exchange, and take for ever.
+constexpr double most_substeps = 1e7;
+
 void require_above_zero(const char* name, double value) {
   require(std::isfinite(value) && value > 0.0, fmt::format("{} of the critical-state sample", name), value, "> 0",
           "See CriticalStateProperties for values to start from.");
@@ -57,6 +60,11 @@ double CriticalStateSample::state_parameter() const {
 CellStress CriticalStateSample::strain(const LocalRun& run) {
   const double shear = run.rate.shear * run.duration(), compression = run.rate.compression * run.duration();
   const double substeps = std::ceil(std::max(std::abs(shear), std::abs(compression)) / properties_.largest_substep);
+  if (!std::isfinite(shear + compression) || substeps > most_substeps)
+    throw NumericalFailure(fmt::format(
+        "the critical-state sample is to follow a shear strain of {:.3g} and a compression of {:.3g} at once, more than "
+        "{:.0e} of its substeps of {}; use a smaller time step dt_G", shear, compression, most_substeps,
+        properties_.largest_substep));
   for (double done = 0.0; done < substeps; ++done) substep(shear / substeps, compression / substeps);
   shear_strain_ += shear;
   return stress();

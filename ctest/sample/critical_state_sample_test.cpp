@@ -124,6 +124,14 @@ TEST(CriticalStateSample, SubstepsConvergeWithFirstOrder) {
   EXPECT_NEAR(std::log2((coarse - fine) / (fine - finer)), 1.0, 0.02);
 }
 
+TEST(CriticalStateSample, RefusesAStrainThatItCannotFollowInsteadOfTryingForEver) {
+  for (const double rate : {1e300, -1e300, 1e7, std::nan("")}) {
+    CriticalStateSample sample(at(0.79));
+    EXPECT_THROW(sample.strain({{rate, 0.0}, 1, step}), NumericalFailure) << rate;
+    EXPECT_THROW(sample.strain({{0.0, rate}, 1, step}), NumericalFailure) << rate;
+  }
+}
+
 TEST(CriticalStateSample, RefusesWhatItCannotBear) {
   CriticalStateProperties steep = at(0.79);
   steep.shear_stress = 0.5 * steep.normal_stress;  // friction is 0.4 exp(-1.1 * 0.02)

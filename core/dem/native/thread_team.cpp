@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dem/native/thread_team.hpp"
 
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "dem/engine.hpp"
+
 namespace flowslide::native {
 namespace {
 
@@ -12,10 +18,17 @@ constexpr int yields_before_sleep = 200;
 }  // namespace
 
 ThreadTeam::ThreadTeam(int size) : size_(size) {
-  for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { serve(number); });
+  try {
+    for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { serve(number); });
+  } catch (const std::system_error& error) {
+    send_home();
+    throw EngineError(fmt::format("the native engine cannot start {} threads: {}; let it use fewer", size, error.what()));
+  }
 }
 
-ThreadTeam::~ThreadTeam() {
+ThreadTeam::~ThreadTeam() { send_home(); }
+
+void ThreadTeam::send_home() {
   task_ = nullptr;
   call_.fetch_add(1, std::memory_order_release);
   call_.notify_all();

@@ -10,6 +10,7 @@ namespace flowslide::native {
 /// Threads that run one function together, the caller as the first of them. They live as long as the team.
 class ThreadTeam {
  public:
+  /// Throws EngineError if the system gives no such number of threads.
   explicit ThreadTeam(int size);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -23,6 +24,7 @@ class ThreadTeam {
 
  private:
   void serve(int number);
+  void send_home();
 
   int size_;
   std::atomic<int> arrived_{0};

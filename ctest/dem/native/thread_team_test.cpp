@@ -2,12 +2,19 @@
 #include "dem/native/thread_team.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
 #include <set>
+#include <string>
+
+#include "dem/engine.hpp"
 
 namespace flowslide::native {
 namespace {
@@ -106,6 +113,29 @@ TEST(ThreadTeam, CanBeSentHomeWithoutATaskAndBesideAnother) {
     other.run([&](int) { ++calls; });
     ASSERT_EQ(calls, 5);
   }
+}
+
+/// Ends the process with 0 if a team that is too large is refused in words.
+[[noreturn]] void ask_for_too_many_threads() {
+  std::ifstream sizes("/proc/self/statm");
+  rlim_t pages = 0;
+  sizes >> pages;
+  const rlim_t room = 64U << 20U, now = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));  // of stacks of 8 MB
+  const rlimit limit{now + room, now + room};
+  if (::setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+  try {
+    const ThreadTeam team(500);
+  } catch (const EngineError& error) {
+    std::_Exit(std::string(error.what()).find("cannot start 500 threads") == std::string::npos);
+  }
+  std::_Exit(3);
+}
+
+TEST(ThreadTeamDeathTest, RefusesMoreThreadsThanThereCanBe) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more memory than the test leaves";
+#endif
+  EXPECT_EXIT(ask_for_too_many_threads(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
