@@ -205,10 +205,9 @@ std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path
 void UndrainedCase::finish(const OutputFolder& output) const {
   std::string legend;
   for (const Curve& curve : curves_) {
-    const auto file = output.file(curve.point.name + ".h5");
-    if (!std::filesystem::exists(file)) continue;
     const std::string& name = curve.point.name;
-    for (const Metric& metric : read_result(file).metrics) {
+    if (!output.has_result(name)) continue;
+    for (const Metric& metric : read_result(output.file(name + ".h5")).metrics) {
       if (name.starts_with("e0") && metric.name == "initial_void_ratio")
         legend += fmt::format("{}\te_0 = {:.3f}\n", name, metric.value);
       if (name.starts_with("I_") && metric.name == "initial_inertial_number")

@@ -84,9 +84,8 @@ void HardCase::finish(const OutputFolder& output) const {
   std::string table = "| Scene | What is right, and the tolerance | Trials | Verdict |\n|---|---|---|---|\n";
   std::string trials = "| Scene | Setting | Right | Measured | Outcome | Reason |\n|---|---|---|---|---|---|\n";
   for (const Scene& scene : scenes_) {
-    const auto file = output.file(scene.name + ".h5");
-    if (!std::filesystem::exists(file)) continue;
-    const std::vector<double> outcomes = read_result(file).series.column("outcome").values;
+    if (!output.has_result(scene.name)) continue;
+    const std::vector<double> outcomes = read_result(output.file(scene.name + ".h5")).series.column("outcome").values;
     std::vector<SceneTrial> judged(outcomes.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) judged[i].outcome = static_cast<Outcome>(outcomes[i]);
     table += fmt::format("| {} | {} | {} | {} |\n", scene.title, scene.right, judged.size(), verdict_of(judged));

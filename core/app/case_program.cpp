@@ -223,7 +223,7 @@ class CaseProgram {
 
   int check() const {
     if (!first_rank()) return to_int(ExitCode::ok);
-    const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
+    OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
     const std::vector<std::string> present = results_in(output);
     finish(output);
     const auto metrics = case_.metrics(output.path(), present);
@@ -245,17 +245,24 @@ class CaseProgram {
     return to_int(is_one_not_met(verdicts) ? ExitCode::claim_not_met : ExitCode::ok);
   }
 
-  /// The chosen points whose results are there. All results must be of this run: the figures draw them all.
-  std::vector<std::string> results_in(const OutputFolder& output) const {
+  /// The chosen points whose results are there. They must be of this run; other results that are not are left out of
+  /// what finish() makes of all.
+  std::vector<std::string> results_in(OutputFolder& output) const {
     std::vector<std::string> present;
     for (const Point& point : points_) {
       const auto file = output.file(point.name + OutputFolder::result_end);
       const FoundResult found = find_result(file, identity_of(point));
-      if (found.standing == Standing::damaged) throw CorruptFileError(found.problem);
-      if (found.standing == Standing::other)
-        throw ConfigurationError(
-            fmt::format("{} is the result of another run ({}); {}", file.string(), found.problem, begin_anew));
-      if (found.standing == Standing::complete && chosen_.contains(point.name)) present.push_back(point.name);
+      const bool chosen = chosen_.contains(point.name);
+      if (found.standing == Standing::complete && chosen) present.push_back(point.name);
+      if (found.standing != Standing::damaged && found.standing != Standing::other) continue;
+      const std::string problem =
+          found.standing == Standing::damaged
+              ? found.problem
+              : fmt::format("{} is the result of another run ({})", file.string(), found.problem);
+      if (chosen && found.standing == Standing::damaged) throw CorruptFileError(problem);
+      if (chosen) throw ConfigurationError(fmt::format("{}; {}", problem, begin_anew));
+      std::cerr << fmt::format("flowslide: {}; it is left out\n", problem);
+      output.leave_out(point.name);
     }
     return present;
   }

@@ -69,7 +69,8 @@ class Case {
   /// claim about it is not evaluated.
   virtual std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                                 const std::vector<std::string>& points) const = 0;
-  /// Writes what the figures need besides the tables of the points. Called before claims are checked.
+  /// Writes what the figures need besides the tables of the points, from the points that OutputFolder::has_result.
+  /// Called before claims are checked.
   virtual void finish(const OutputFolder&) const {}
 };
 

@@ -117,6 +117,10 @@ OutputFolder OutputFolder::open_existing(const fs::path& path, const std::string
   return OutputFolder(path);
 }
 
+bool OutputFolder::has_result(const std::string& point) const {
+  return !left_out_.contains(point) && fs::exists(file(point + result_end));
+}
+
 std::string OutputFolder::noted(const std::string& point) const {
   const fs::path file = note_of(path_, point);
   return fs::exists(file) ? read_file(file) : "";

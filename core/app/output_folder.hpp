@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,11 @@ class OutputFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
 
+  /// Whether the result of a point is there and was not left out.
+  bool has_result(const std::string& point) const;
+  /// Leaves the result of a point out of what is made of all results, as it is of another run.
+  void leave_out(const std::string& point) { left_out_.insert(point); }
+
   /// The lock of a point, to be held while it runs. Removes what an ended process left half written. Throws
   /// ConfigurationError if another process holds it, and std::invalid_argument unless `point` is letters, digits, "_",
   /// "-" and ".".
@@ -45,6 +51,7 @@ class OutputFolder {
  private:
   explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;
+  std::set<std::string> left_out_;  ///< points
 };
 
 }  // namespace flowslide

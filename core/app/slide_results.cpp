@@ -68,7 +68,7 @@ std::map<std::string, double> SlideCase::metrics(const std::filesystem::path& fo
 std::vector<std::string> SlideCase::points_in(const OutputFolder& output) const {
   std::vector<std::string> present;
   for (const SlidePoint& slide : slides_)
-    if (std::filesystem::exists(output.file(slide.point.name + ".h5"))) present.push_back(slide.point.name);
+    if (output.has_result(slide.point.name)) present.push_back(slide.point.name);
   return present;
 }
 

@@ -90,6 +90,16 @@ TEST(OutputFolder, NotesTheIdentityOfAPoint) {
   EXPECT_EQ(OutputFolder::open(scratch.path(), "fig03").noted("loose"), "mu = 1\n");
 }
 
+TEST(OutputFolder, HasResultsThatAreThereAndNotLeftOut) {
+  const ScratchFolder scratch;
+  auto folder = OutputFolder::open(scratch.path(), "fig03");
+  EXPECT_FALSE(folder.has_result("loose"));
+  scratch.write("loose.h5", "data");
+  EXPECT_TRUE(folder.has_result("loose"));
+  folder.leave_out("loose");
+  EXPECT_FALSE(folder.has_result("loose"));
+}
+
 TEST(OutputFolder, RemovesAllFilesOfAPointAndNoOther) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path(), "fig03");

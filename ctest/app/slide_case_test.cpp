@@ -136,6 +136,15 @@ TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
   EXPECT_EQ(stress_table(kept).change, (std::vector{0.0, 501.0}));
 }
 
+TEST_F(SlideProgram, LeavesResultsOfAnotherRunOutOfTheBands) {
+  ASSERT_EQ(run({"--point", "RD", "--set", "stop.end_time=0.1"}), 0) << error_;
+  ASSERT_EQ(run({"--point", "RI"}), 0) << error_;
+  EXPECT_EQ(run({"--point", "RI", "--check"}), 0) << error_;
+  EXPECT_CONTAINS(error_, "RD.h5 is the result of another run (stop.end_time = 0.1 there, 4.0 now); it is left out");
+  EXPECT_TRUE(fs::exists(output() / "RI_over_time.dat"));
+  EXPECT_FALSE(fs::exists(output() / "RD_over_time.dat"));
+}
+
 TEST_F(SlideProgram, FindsALoadingTableBesideTheFileThatNamesIt) {
   fs::create_directories(scratch_.path() / "mine" / "tables");
   fs::create_directories(scratch_.path() / "elsewhere");

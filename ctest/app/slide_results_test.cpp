@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class ResultsCase : public SlideCase {
  public:
-  explicit ResultsCase(const fs::path& folder) : SlideCase({"results", "Slides", "1", {}, {}}, folder) {}
+  ResultsCase() : SlideCase({"results", "Slides", "1", {}, {}}) {}
   using SlideCase::slide_names;
 
  protected:
@@ -43,7 +43,7 @@ rows = 10
   }
   /// The case with a user's file, on an engine.
   ResultsCase read(const std::string& engine, const std::string& user = "") {
-    ResultsCase the_case(scratch_.path());
+    ResultsCase the_case;
     Layers layers{scratch_.path() / "case.toml", "quick", {}, {{"engine", engine, "--engine"}}};
     if (!user.empty()) layers.user_file = scratch_.write("user.toml", user);
     the_case.read(Configuration(layers));
