@@ -3,7 +3,7 @@
 // rest stands in its case.toml: the slides as [point.<name>] (see read_slide_point), as many replicates of each as
 // `replicates` says (at most [point.<name>] `replicates` of them), every one on a sample of its own and a point of its
 // own, so that they run side by side and are kept one by one. Element tests of the samples alone may stand beside
-// them; on a closed-form sample these are left out.
+// them; on a closed-form sample these are left out, and on LIGGGHTS the points on samples that are periodic along z.
 #pragma once
 #include <functional>
 #include <limits>
@@ -94,7 +94,7 @@ class SlideCase : public Case {
   std::int64_t seed_ = 1;
   SlopeProperties slope_;
   std::vector<SlidePoint> slides_;
-  std::vector<std::string> left_out_;  ///< element tests, which a closed-form sample does not have
+  std::vector<SlidePoint> left_out_;  ///< first replicates of what the engine or the closed-form sample cannot run
 };
 
 }  // namespace flowslide

@@ -21,7 +21,8 @@ Table band_table(const std::string& case_name, const std::string& slide, std::si
 }  // namespace
 
 std::vector<std::string> SlideCase::slide_names() const {
-  std::vector<std::string> names = left_out_;
+  std::vector<std::string> names;
+  for (const SlidePoint& slide : left_out_) names.push_back(slide.name);
   for (const SlidePoint& slide : slides_)
     if (slide.replicate == 0) names.push_back(slide.name);
   return names;
@@ -87,19 +88,21 @@ void SlideCase::finish(const OutputFolder& output) const {
   for (const auto& [name, all] : profiles)
     write_table(output.file(name + "_profiles_band.dat"),
                 band_table(description_.name, name, all.size(), band_of_rows(all)));
-  if (closed_form_) write_empty_tables(output);
+  write_empty_tables(output);
 }
 
 void SlideCase::write_empty_tables(const OutputFolder& output) const {
-  for (const std::string& name : left_out_) {
+  for (const SlidePoint& slide : left_out_) {
+    const std::string& name = slide.name;
     Result none;
-    none.series = element_test_series();
+    none.series = slide.test ? element_test_series() : slide_series();
     write_table(output.file(name + ".dat"), band_table(description_.name, name, 0, none.series));
     for (const std::string& abscissa : abscissas())
       if (none.series.has(abscissa))
         write_table(output.file(fmt::format("{}_over_{}.dat", name, abscissa)),
                     band_table(description_.name, name, 0, band_over({none}, abscissa, band_rows)));
   }
+  if (!closed_form_) return;
   for (const SlidePoint& slide : slides_)
     if (slide.replicate == 0 && !slide.profiles.strains.empty())
       write_table(output.file(slide.name + "_profiles_band.dat"),

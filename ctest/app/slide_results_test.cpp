@@ -103,6 +103,15 @@ TEST_F(SlideResults, HaveTablesWithoutRowsForWhatAClosedFormSampleDoesNotHave) {
   EXPECT_EQ(the_case.slide_names(), (std::vector<std::string>{"alone", "RD", "RI"}));
 }
 
+TEST_F(SlideResults, HaveTablesWithoutRowsForWhatLiggghtsCannotShear) {
+  const std::string across_faces = "[sample.loose]\nperiodic_height = true\n";
+  EXPECT_FALSE(read("native", across_faces).points().empty());
+  const ResultsCase the_case = read("liggghts", across_faces);
+  EXPECT_EQ(the_case.points().size(), 0U);
+  the_case.finish(output_);
+  EXPECT_TRUE(read_table(output_.file("RD.dat")).series.has("displacement"));
+}
+
 TEST_F(SlideResults, NameTheirTables) {
   const std::vector<std::string> tables = read("native").tables();
   for (const char* name : {"RD_over_displacement", "RI_profiles_band", "alone_over_displacement"})
