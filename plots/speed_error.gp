@@ -56,11 +56,14 @@ do for [format in "png pdf"] {
     }
     present = ""
     do for [i = 1:15] { if (has(s, i)) { present = present." ".i } }
-    if (present eq "") { continue }   # nothing of that scene has been run
-    plot for [k in present] rows_of(s, k + 0) using (column(seconds)):(column(error_over_spread)) \
-           with points pointtype symbol[k + 0] pointsize 0.9 linecolor rgb colour[k + 0] title shown[k + 0], \
-         data(word(fronts, s)) using (column(front_seconds)):(column(front_error_over_spread)) \
-           with lines linewidth 0.8 linecolor rgb black notitle
+    if (present eq "") {   # nothing of that scene has been run
+      plot here."nothing.dat" using (NaN):(NaN) notitle
+    } else {
+      plot for [k in present] rows_of(s, k + 0) using (column(seconds)):(column(error_over_spread)) \
+             with points pointtype symbol[k + 0] pointsize 0.9 linecolor rgb colour[k + 0] title shown[k + 0], \
+           data(word(fronts, s)) using (column(front_seconds)):(column(front_error_over_spread)) \
+             with lines linewidth 0.8 linecolor rgb black notitle
+    }
     unset object 1; unset arrow 1; unset label 1
   }
   unset multiplot

@@ -40,7 +40,12 @@ std::string command_of(const CaseResults& results, const std::string& options) {
 std::string verdict_mark(Ruling ruling, std::string_view word) {
   const bool is_met = ruling == Ruling::met, is_open = ruling == Ruling::not_evaluated;
   return fmt::format("<span class=\"mark {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     is_met ? "met" : is_open ? "open" : "missed", is_met ? "&#10003;" : is_open ? "&#8211;" : "&#10007;",
+                     is_met    ? "met"
+                     : is_open ? "open"
+                               : "missed",
+                     is_met    ? "&#10003;"
+                     : is_open ? "&#8211;"
+                               : "&#10007;",
                      word);
 }
 
@@ -115,9 +120,9 @@ std::string list_of_claims(const std::vector<CaseResults>& cases, Ruling ruling,
   for (const CaseResults& results : cases)
     for (const Verdict& verdict : results.verdicts)
       if (verdict.ruling == ruling)
-        items += fmt::format("<li><a href=\"#{}\">{}</a> {} <span class=\"small\">{}</span></li>\n",
-                             escaped(results.name), escaped(verdict.claim.figure), escaped(verdict.claim.sentence),
-                             escaped(verdict.reason));
+        items +=
+            fmt::format("<li><a href=\"#{}\">{}</a> {} <span class=\"small\">{}</span></li>\n", escaped(results.name),
+                        escaped(verdict.claim.figure), escaped(verdict.claim.sentence), escaped(verdict.reason));
   return items.empty() ? "" : fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", title, items);
 }
 

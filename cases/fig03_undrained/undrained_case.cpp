@@ -139,8 +139,9 @@ ElementTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& 
   const std::int64_t steps = running.test.steps(running.time_step);
   Progress progress("fig03_undrained " + running.point.name, steps, run.progress, sample.steps());
   const auto checkpoint = [&](Result result, std::int64_t done, const Series& measured) {
-    return Checkpoint{std::move(result), static_cast<double>(done) / static_cast<double>(steps), sample.state(), {},
-                      pictures.shots(), measured};
+    return Checkpoint{std::move(result), static_cast<double>(done) / static_cast<double>(steps),
+                      sample.state(),    {},
+                      pictures.shots(),  measured};
   };
   const auto observe = [&](std::int64_t done, const Assembly& assembly, const ElementTestRecord& record) {
     pictures.take(record.rows.axis.values.back(), sample.shear_strain(), assembly);

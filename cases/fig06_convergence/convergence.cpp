@@ -76,7 +76,8 @@ double velocity_change(const Ensemble& slides, const Ensemble& references) {
   std::vector<double> changes;
   for (const auto& [a, b] : paired(slides, references)) {
     const double end = std::min(end_of(windows_over(*a, "time")), end_of(windows_over(*b, "time")));
-    changes.push_back(relative_difference(means_of(*a, "velocity", "time", end), means_of(*b, "velocity", "time", end)));
+    changes.push_back(
+        relative_difference(means_of(*a, "velocity", "time", end), means_of(*b, "velocity", "time", end)));
   }
   return statistics_of(changes).median;
 }
@@ -121,9 +122,8 @@ void compare_steps(const std::string& passing, const Slides& slides, const Ensem
   const Ensemble &largest = *slides.begin()->second, &smallest = *slides.rbegin()->second;
   metrics[passing + "_velocity_change"] = velocity_change(smallest, largest);
   if (passing == "RI" && all.contains("DEM_low") && all.contains("DEM_high"))
-    metrics["RI_distance_to_low_over_high"] =
-        statistics_of(errors_of(smallest, all.at("DEM_low"))).median /
-        statistics_of(errors_of(smallest, all.at("DEM_high"))).median;
+    metrics["RI_distance_to_low_over_high"] = statistics_of(errors_of(smallest, all.at("DEM_low"))).median /
+                                              statistics_of(errors_of(smallest, all.at("DEM_high"))).median;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How far a slope on a sample is from the sample alone. Slides are named "<passing>_...", and the samples alone "DEM_low"
-// and "DEM_high". Inertial number, dt_G and n_accum of a slide are its parameters: a slide is compared with the sample
-// alone that is sheared at its inertial number.
+// How far a slope on a sample is from the sample alone. Slides are named "<passing>_...", and the samples alone
+// "DEM_low" and "DEM_high". Inertial number, dt_G and n_accum of a slide are its parameters: a slide is compared with
+// the sample alone that is sheared at its inertial number.
 #pragma once
 #include <map>
 #include <string>
@@ -33,7 +33,8 @@ std::string passing_of(const std::string& slide);
 std::string alone_of(const Ensemble& slide, const Ensembles& slides);
 
 /// Adds to `metrics`, from what has been run:
-///   <slide>.error             against the sample alone at its inertial number, median over the replicates; <slide>.error.highest
+///   <slide>.error             against the sample alone at its inertial number, median over the replicates
+///   <slide>.error.highest     the highest of them
 ///   <slide>.error_over_spread      its median over the spread between samples alone
 ///   DEM_<level>.spread        between the samples
 ///   largest_low_error_over_spread   of all at I = 1e-4, over the spread between samples

@@ -8,8 +8,8 @@ namespace flowslide {
 class TriggerCase : public SlideCase {
  public:
   TriggerCase();
-  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, the peaks that Fig. 8 marks, peaks.dat,
-  /// and the legend of Fig. 10.
+  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, the peaks that Fig. 8 marks,
+  /// peaks.dat, and the legend of Fig. 10.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

@@ -19,8 +19,8 @@ namespace flowslide {
 /// `final_velocity` is that of the last row, m/s.
 std::vector<Metric> trigger_metrics(const RunMeasures& measures, double final_velocity);
 
-/// Friction tau/sigma over windows of shear strain up to `friction_until`, from windows over strain: in each, the mean of
-/// tau over that of sigma, since the quotient of single moments has no mean where sigma falls to nothing.
+/// Friction tau/sigma over windows of shear strain up to `friction_until`, from windows over strain: in each, the mean
+/// of tau over that of sigma, since the quotient of single moments has no mean where sigma falls to nothing.
 Series friction(const Series& over_strain);
 
 /// Shear strain beyond which the paper takes the state for steady (Fig. 9).

@@ -15,7 +15,7 @@ constexpr double apart = 0.1;       ///< share of RI's velocity by which RD's is
 constexpr double interval = 0.05;   ///< m, of x: velocities are means over it
 constexpr double common_place = 2.0;  ///< m, where the amplitudes are compared: beyond the pulse for none of them
 
-constexpr double compared = 3e3;    ///< Pa, the amplitude at which the schemes are compared
+constexpr double compared = 3e3;  ///< Pa, the amplitude at which the schemes are compared
 
 double velocity_near(const Series& over_displacement, double place) {
   return mean_over(over_displacement, "velocity", place - 0.5 * interval, place + 0.5 * interval);
@@ -28,7 +28,8 @@ std::vector<SweepMember> amplitudes_of(const Ensembles& slides, const std::strin
 
 double median_velocity_near(const Ensemble& ensemble, double place) {
   std::vector<double> velocities;
-  for (const Result& result : ensemble) velocities.push_back(velocity_near(windows_over(result, "displacement"), place));
+  for (const Result& result : ensemble)
+    velocities.push_back(velocity_near(windows_over(result, "displacement"), place));
   return statistics_of(velocities).median;
 }
 

@@ -22,9 +22,7 @@ PulseCase::PulseCase()
                  {"Fig. 11", "Fig. 12"},
                  {}}) {}
 
-std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const {
-  return runout_metrics(outcome);
-}
+std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const { return runout_metrics(outcome); }
 
 std::vector<std::string> PulseCase::tables() const {
   std::vector<std::string> tables = SlideCase::tables();

@@ -8,8 +8,8 @@ namespace flowslide {
 class PulseCase : public SlideCase {
  public:
   PulseCase();
-  /// Adds <slide>_windows.dat, the replicates over x in wider windows, for the pore pressure: it jumps with every jam; and
-  /// the legend, the amplitude of each slide.
+  /// Adds <slide>_windows.dat, the replicates over x in wider windows, for the pore pressure: it jumps with every jam;
+  /// and the legend, the amplitude of each slide.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

@@ -6,8 +6,8 @@
 
 namespace flowslide {
 
-/// The numbers that the claims about one slide are made of. One that it does not have is not a number: what is said of the
-/// time after the pulse needs a pulse as loading.
+/// The numbers that the claims about one slide are made of. One that it does not have is not a number: what is said of
+/// the time after the pulse needs a pulse as loading.
 ///   peak_shear_stress     Pa, largest tau up to 2 % strain
 ///   largest_velocity      m/s, largest mean of v over a tenth of a second
 ///   velocity_after_pulse  m/s, at t = T

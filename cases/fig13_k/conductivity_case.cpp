@@ -40,8 +40,8 @@ void ConductivityCase::finish(const OutputFolder& output) const {
   }
   const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
   const auto over_k = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
-  const Series sweep =
-      sweep_series(axis, {{"RD", over_k("RD_")}, {"RI", over_k("RI_")}}, {"largest_velocity", "runout", "sliding_stopped"});
+  const Series sweep = sweep_series(axis, {{"RD", over_k("RD_")}, {"RI", over_k("RI_")}},
+                                    {"largest_velocity", "runout", "sliding_stopped"});
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
   write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
   write_atomically(output.file("legend.dat"), legend);

@@ -16,8 +16,8 @@ struct CriticalConductivity {
 /// That of one sample: of the one that `first`, a result of the first member, was run on (see paired).
 CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep, const Result& first);
 
-/// Adds to `metrics` what is said of slides named "RD_..." and "RI_..." by their parameter hydraulic_conductivity, k; what
-/// was not run is not a number:
+/// Adds to `metrics` what is said of slides named "RD_..." and "RI_..." by their parameter hydraulic_conductivity, k;
+/// what was not run is not a number:
 ///   RD_velocity_order, RD_runout_order   rank correlations of k with the medians of v_max and of the runout, by RD
 ///   critical_conductivity_lower, _upper  m/s, of RI: the lowest and the highest bound of all samples
 ///   critical_conductivity                m/s, median of the samples; of each the geometric mean of its bounds, as the

@@ -8,8 +8,8 @@
 namespace flowslide {
 
 /// Fig. 14: runout after a sine pulse of the driving stress, by RD and by RI, of samples of four void ratios. Slides
-/// are named "<scheme>_e0_...", such as "RI_e0_771". The void ratio that a sample has in the paper stands in its table as
-/// `paper_void_ratio`, and in the results as a parameter; a sample without that key has its own void ratio there.
+/// are named "<scheme>_e0_...", such as "RI_e0_771". The void ratio that a sample has in the paper stands in its table
+/// as `paper_void_ratio`, and in the results as a parameter; a sample without that key has its own void ratio there.
 class VoidRatioCase : public SlideCase {
  public:
   VoidRatioCase();

@@ -60,8 +60,9 @@ bool tell_a_law(const std::vector<SteadyState>& states) {
 
 FrictionLaw fit_friction_law(const std::vector<SteadyState>& states) {
   if (!tell_a_law(states))
-    throw std::invalid_argument("mu(I) has three numbers: fewer than four steady states do not tell them, nor do states "
-                                "of one inertial number, or of none above 0");
+    throw std::invalid_argument(
+        "mu(I) has three numbers: fewer than four steady states do not tell them, nor do states "
+        "of one inertial number, or of none above 0");
   const auto [low, high] = range_of(states);
   FrictionLaw best = best_with(states, low);
   for (int k = 1; k <= searched; ++k) {

@@ -70,9 +70,9 @@ std::vector<Metric> OpenQuestionsCase::slide_metrics(const SlideOutcome& outcome
     metrics.push_back({"grains", static_cast<double>(outcome.grains->size()), "1", "number of grains"});
   const auto add = [&](const std::vector<Metric>& more) { metrics.insert(metrics.end(), more.begin(), more.end()); };
   if (!point.test) {
-    add(std::holds_alternative<SinePulse>(point.settings.loading) ? pulse_runout(outcome)
-                                                                  : held_metrics(outcome.measures, outcome.profiles,
-                                                                                 outcome.series.last("velocity")));
+    add(std::holds_alternative<SinePulse>(point.settings.loading)
+            ? pulse_runout(outcome)
+            : held_metrics(outcome.measures, outcome.profiles, outcome.series.last("velocity")));
     return metrics;
   }
   const Assembly grains = outcome.grains->assembly();

@@ -54,7 +54,8 @@ void SpeedCase::read(const Configuration& configuration) {
   for (const Scene scene : all_scenes) {
     const std::string key = "liggghts." + name_of(scene);
     const SlidePoint* clock = find(configuration, key);
-    if (clock != nullptr && scene_of(*clock) == scene) clocks_[scene] = clock->name;  // another loading is another scene
+    if (clock != nullptr && scene_of(*clock) == scene)
+      clocks_[scene] = clock->name;  // another loading is another scene
   }
 }
 
@@ -91,7 +92,8 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
 
 std::vector<std::string> SpeedCase::tables() const {
   std::vector<std::string> tables{"paper"};  // and table.h5, which every case may have
-  for (const Scene scene : all_scenes) tables.insert(tables.end(), {"errors_" + name_of(scene), name_of(scene) + "_front"});
+  for (const Scene scene : all_scenes)
+    tables.insert(tables.end(), {"errors_" + name_of(scene), name_of(scene) + "_front"});
   return tables;
 }
 

@@ -10,9 +10,10 @@
 namespace flowslide {
 namespace {
 
-constexpr std::array harmless_names{"engine",       "seed",       "replicates", "seed_offsets", "found_preparation_frictions",
-                                    "most_trials",  "rows",       "most_rows",  "row_interval", "row_strain",
-                                    "figures",      "picture_strain", "local_time_step", "allow_unstable"};
+constexpr std::array harmless_names{
+    "engine",      "seed",           "replicates",      "seed_offsets",  "found_preparation_frictions",
+    "most_trials", "rows",           "most_rows",       "row_interval",  "row_strain",
+    "figures",     "picture_strain", "local_time_step", "allow_unstable"};
 constexpr std::array harmless_keys{"preparation.time_step", "shear.time_step"};
 constexpr std::array lists_of_tables{"point", "sample", "scheme", "axis"};
 

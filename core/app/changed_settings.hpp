@@ -7,8 +7,8 @@
 
 namespace flowslide {
 
-/// The settings of a study that are not those of its case, such as "loading.amplitude = 2000.0 Pa, not "3 kPa"". The claims
-/// of the paper are about the settings of the case: in a study with others they are not evaluated.
+/// The settings of a study that are not those of its case, such as "loading.amplitude = 2000.0 Pa, not "3 kPa"". The
+/// claims of the paper are about the settings of the case: in a study with others they are not evaluated.
 ///
 /// Left out is what decides how a run is computed, not what: the engines, the draw and the number of the samples (seed,
 /// replicates, seed_offsets, found_preparation_frictions, most_trials), the rows that are kept, the time steps of the

@@ -70,15 +70,16 @@ std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::str
 /// Whether a claim is evaluated and not met.
 bool is_one_not_met(const std::vector<Verdict>& verdicts);
 
-/// For a terminal: aligned columns `met`, `NOT MET` or `not evaluated`, figure, claim, expected, measured, and the reason
-/// of those that are not met.
+/// For a terminal: aligned columns `met`, `NOT MET` or `not evaluated`, figure, claim, expected, measured, and the
+/// reason of those that are not met.
 std::string terminal_table(const std::vector<Verdict>& verdicts);
 /// For README: figure, what the paper says, expected, measured, verdict, origin of the tolerance.
 std::string markdown_table(const std::vector<Verdict>& verdicts);
-/// An array of objects; "met" is true, false, or null if the claim is not evaluated; a number that is not finite is null.
+/// An array of objects; "met" is true, false, or null if the claim is not evaluated; a number that is not finite is
+/// null.
 std::string json(const std::vector<Verdict>& verdicts);
-/// Blank-separated columns with a "#" header: id, measured, threshold, upper threshold, met (1, 0, or NaN if it is not evaluated);
-/// texts in quotes.
+/// Blank-separated columns with a "#" header: id, measured, threshold, upper threshold, met (1, 0, or NaN if it is not
+/// evaluated); texts in quotes.
 std::string data_table(const std::vector<Verdict>& verdicts);
 
 }  // namespace flowslide

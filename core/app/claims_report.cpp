@@ -32,9 +32,7 @@ std::string json_number(double value) { return std::isfinite(value) ? fmt::forma
 const char* json_met(Ruling ruling) {
   return ruling == Ruling::met ? "true" : ruling == Ruling::not_met ? "false" : "null";
 }
-const char* data_met(Ruling ruling) {
-  return ruling == Ruling::met ? "1" : ruling == Ruling::not_met ? "0" : "NaN";
-}
+const char* data_met(Ruling ruling) { return ruling == Ruling::met ? "1" : ruling == Ruling::not_met ? "0" : "NaN"; }
 
 /// A cell of a Markdown table: no bar ends it early, no line break ends the row.
 std::string markdown_cell(std::string_view text) {
@@ -64,8 +62,8 @@ std::string terminal_table(const std::vector<Verdict>& verdicts) {
   using Row = std::array<std::string, 5>;
   std::vector<Row> rows{{"", "figure", "claim", "expected", "measured"}};
   for (const Verdict& verdict : verdicts) {
-    rows.push_back({verdict.ruling == Ruling::not_met ? "NOT MET" : std::string(name_of(verdict.ruling)), verdict.claim.figure, verdict.claim.id,
-                    verdict.claim.expectation(), verdict.measurement()});
+    rows.push_back({verdict.ruling == Ruling::not_met ? "NOT MET" : std::string(name_of(verdict.ruling)),
+                    verdict.claim.figure, verdict.claim.id, verdict.claim.expectation(), verdict.measurement()});
   }
   std::array<std::size_t, 5> widths{};
   for (const Row& row : rows)
@@ -113,8 +111,8 @@ std::string json(const std::vector<Verdict>& verdicts) {
     text += fmt::format("\"threshold\": {}, \"upper_threshold\": {}, \"unit\": {}, \"origin\": {}, ",
                         json_number(claim.threshold), json_number(claim.upper_threshold), json_text(claim.unit),
                         json_text(claim.origin));
-    text += fmt::format("\"measured\": {}, \"met\": {}, \"reason\": {}}}", json_number(verdict.measured), json_met(verdict.ruling),
-                        json_text(verdict.reason));
+    text += fmt::format("\"measured\": {}, \"met\": {}, \"reason\": {}}}", json_number(verdict.measured),
+                        json_met(verdict.ruling), json_text(verdict.reason));
   }
   return text + (verdicts.empty() ? "]\n" : "\n]\n");
 }

@@ -93,8 +93,10 @@ ElementTestRecord run_element_test(DemSample& sample, const ElementTest& test, c
   const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
   std::size_t k = record.rows.rows(), m = record.measured.rows();
   if (k > kept.size() || m > fixed.size())
-    throw std::invalid_argument(fmt::format("an element test of {} rows, {} of them measured, cannot go on from {} and "
-                                            "{}", kept.size(), fixed.size(), k, m));
+    throw std::invalid_argument(
+        fmt::format("an element test of {} rows, {} of them measured, cannot go on from {} and "
+                    "{}",
+                    kept.size(), fixed.size(), k, m));
   std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);
   sample.start_linear_at_first_strain();  // the first row is at rest
   while (k < kept.size() || m < fixed.size()) {

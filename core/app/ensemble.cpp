@@ -83,7 +83,8 @@ class BandColumns {
 
 Statistics statistics_of(std::vector<double> values) {
   Statistics result;
-  if (values.empty() || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) return result;
+  if (values.empty() || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+    return result;
   std::sort(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());
   result.mean = result.deviation = 0.0;

@@ -19,9 +19,10 @@ class Owners {
   void add(const std::string& name, const std::string& owner) {
     const auto [known, is_new] = owners_.emplace(name, owner);
     if (!is_new)
-      throw ConfigurationError(fmt::format("the name \"{}\" is taken twice: by {} and by {}, which would be written to "
-                                           "one file; give the table [point.<name>] another name (replicate N of a point "
-                                           "is named <name>_rN)", name, known->second, owner));
+      throw ConfigurationError(
+          fmt::format("the name \"{}\" is taken twice: by {} and by {}, which would be written to one file; give the table "
+                      "[point.<name>] another name (replicate N of a point is named <name>_rN)",
+                      name, known->second, owner));
   }
 
  private:

@@ -33,9 +33,10 @@ void refuse_equal_samples(const std::vector<Provenance>& results) {
     if (known.replicate == result.replicate) continue;
     const std::string table = result.sample.substr(0, blank);
     throw ConfigurationError(fmt::format(
-        "{} and {} are no replicates: they have the same sample \"{}\", as the search for its void ratio counts seeds on "
-        "from one to the other; set sample.{}.seed_offsets so that the seeds of two replicates lie farther apart, such "
-        "as [0, 1000, 2000]", known.point, result.point, table, table));
+        "{} and {} are no replicates: they have the same sample \"{}\", as the search for its void ratio counts seeds "
+        "on from one to the other; set sample.{}.seed_offsets so that the seeds of two replicates lie farther apart, such "
+        "as [0, 1000, 2000]",
+        known.point, result.point, table, table));
   }
 }
 

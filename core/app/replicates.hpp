@@ -14,9 +14,9 @@ namespace flowslide {
 /// Throws ConfigurationError.
 void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples);
 
-/// Refuses two results of different replicates on one sample (see Provenance::sample). A search for a void ratio counts seeds on, so that it may
-/// come to the sample of another replicate; ranges of seeds that overlap are allowed, as searches end early.
-/// Throws ConfigurationError.
+/// Refuses two results of different replicates on one sample (see Provenance::sample). A search for a void ratio counts
+/// seeds on, so that it may come to the sample of another replicate; ranges of seeds that overlap are allowed, as
+/// searches end early. Throws ConfigurationError.
 void refuse_equal_samples(const std::vector<Provenance>& results);
 
 /// The same before a run is spent on it: `own` against the results of the other `points` of this configuration in a

@@ -86,8 +86,9 @@ void ExchangeRecord::take(const Slide& slide) {
   }
   take_peaks(state.time, state.strain.shear, state.stress, number);
   over_time.add(state.time, std::array{state.velocity, state.stress.shear, state.stress.normal});
-  const std::array at_strain{state.velocity,     state.stress.shear, state.stress.normal, state.rate_asked,
-                             state.rate_applied, applied_number,     number};
+  const std::array at_strain{
+      state.velocity, state.stress.shear, state.stress.normal, state.rate_asked, state.rate_applied, applied_number,
+      number};
   over_strain.add(state.strain.shear, std::span(at_strain).first(over_strain.means.columns.size()));
   over_displacement.add(state.sliding.displacement, std::array{state.velocity});
 }
@@ -124,8 +125,8 @@ void ExchangeRecord::restore(const ExchangeRecord& kept) {
 }
 
 RunMeasures ExchangeRecord::measures() const {
-  return {over_time.series(), over_strain.series(), over_displacement.series(),
-          peak_to_2,          peak_to_5,            lowest_normal_stress};
+  return {over_time.series(), over_strain.series(), over_displacement.series(), peak_to_2,
+          peak_to_5,          lowest_normal_stress};
 }
 
 RunMeasures measures_of_rows(const Series& rows) {

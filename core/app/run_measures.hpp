@@ -29,8 +29,8 @@ double number_at(double rate, double mean_stress, const GrainScale& grains);
 /// What metrics read of one run.
 struct RunMeasures {
   Series over_time, over_strain, over_displacement;  ///< windows, see mean_over; without columns where there are none
-  StressPeak peak_to_2, peak_to_5;    ///< up to 2 % and up to 5 % strain
-  double lowest_normal_stress = 0.0;  ///< up to 50 % strain, Pa
+  StressPeak peak_to_2, peak_to_5;                   ///< up to 2 % and up to 5 % strain
+  double lowest_normal_stress = 0.0;                 ///< up to 50 % strain, Pa
 
   /// Those of the windows that have columns, for a result.
   std::vector<Series> windows() const;

@@ -12,8 +12,8 @@ namespace flowslide {
 
 inline constexpr double velocity_window = 0.1;  ///< s, over which velocities are means: grains make them swing
 
-/// The largest mean of v over windows of 0.1 s that overlap by half, m/s, from windows over time. NaN for a record that is
-/// shorter.
+/// The largest mean of v over windows of 0.1 s that overlap by half, m/s, from windows over time. NaN for a record that
+/// is shorter.
 double largest_velocity(const Series& over_time);
 
 /// Mean of v over 0.1 s about `time`, m/s; NaN if the record does not hold all of it.
@@ -54,8 +54,8 @@ std::string label_of_quantity(double value);
 Series coarse_band(const Ensemble& ensemble);
 
 /// Sweeps by several schemes as one table: `axis` takes the parameters of the first; for each scheme and metric the
-/// columns "<scheme>_<metric>_median", "_lowest" and "_highest". Only parameters that all schemes have; a metric that one
-/// of their slides lacks is left out.
+/// columns "<scheme>_<metric>_median", "_lowest" and "_highest". Only parameters that all schemes have; a metric that
+/// one of their slides lacks is left out.
 Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::vector<SweepMember>>>& schemes,
                     const std::vector<std::string>& metrics);
 

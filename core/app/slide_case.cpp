@@ -189,8 +189,9 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
     return Records{record.rows, {}, stop, measures_of_rows(record.measured), record.measured};
   };
   const auto checkpoint = [&](Result result, std::int64_t at, const Series& measured) {
-    return Checkpoint{std::move(result), static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(),
-                      {}, {}, measured};
+    return Checkpoint{
+        std::move(result), static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(), {}, {},
+        measured};
   };
   Progress progress(fmt::format("{} {}", description_.name, running.point.name), steps, run.progress, done);
   const auto observe = [&](std::int64_t at, const Assembly&, const ElementTestRecord& record) {
@@ -232,7 +233,9 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
   };
   const auto checkpoint = [&](Result result) {
     const SlideState& state = sliding.state();
-    return Checkpoint{std::move(result), progress.share_done(state), loaded.sample->state(),
+    return Checkpoint{std::move(result),
+                      progress.share_done(state),
+                      loaded.sample->state(),
                       SlideCheckpoint{state, record.spacing, record.next_time, record.next_strain, profiles.sums(),
                                       profiles.series(), record.exchanges},
                       {}};

@@ -19,7 +19,7 @@ namespace flowslide {
 /// What came out of one slide, or of an element test beside it.
 struct SlideOutcome {
   const SlidePoint& point;
-  const Series& series;     ///< rows that were kept (see slide_series), or of a test those that were measured
+  const Series& series;         ///< rows that were kept (see slide_series), or of a test those that were measured
   const RunMeasures& measures;  ///< gathered at every exchange
   const Series& profiles;   ///< see ProfileRecord; without columns if none were asked for
   Stop stop;                ///< why it ended
@@ -37,8 +37,8 @@ class SlideCase : public Case {
   std::vector<std::string> tables() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
   void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
-  /// Writes <point>.h5 and .dat, and <point>_profiles.dat if profiles were asked for; without metrics, if computing them
-  /// fails. The end of the run is kept as a checkpoint before.
+  /// Writes <point>.h5 and .dat, and <point>_profiles.dat if profiles were asked for; without metrics, if computing
+  /// them fails. The end of the run is kept as a checkpoint before.
   void run(const Point& point, const PointRun& run) const override;
   /// "<point>.<metric>" of each result, "<slide>.<metric>.median" and so on of its replicates (see summary_of), and
   /// what compare() adds.

@@ -146,7 +146,8 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
 
   read.point.description = describe_slide(read, scheme);
   std::optional<double> number;
-  if (!std::holds_alternative<GlobalRate>(read.settings.rate)) number = settings.number("inertial_number", Range::positive());
+  if (!std::holds_alternative<GlobalRate>(read.settings.rate))
+    number = settings.number("inertial_number", Range::positive());
   read.parameters = parameters_of(read, number);
   read.point.predicted_seconds = predicted_seconds(recipe, predicted_steps(read.settings, read.stop), read.engine);
   return read;

@@ -28,7 +28,7 @@ struct SlidePoint {
   ProfilePlan profiles;        ///< without strains none are taken
   /// What it was given, as numbers for its result (see slide_parameters.hpp).
   std::vector<Metric> parameters;
-  bool published = true;       ///< the case has it; else --config or --set has added it
+  bool published = true;  ///< the case has it; else --config or --set has added it
 };
 
 /// Reads [point.<name>]: figures, sample (a key below [sample]), scheme (a key below [scheme]), hydraulic_conductivity

@@ -12,19 +12,19 @@
 
 namespace flowslide {
 
-/// Upper end of window `number`, from 1, where the first ones are `width` wide. After 1024 windows the width doubles, and
-/// after each 512 again: a window is at most 1/512 of its abscissa wide, and long records have few.
+/// Upper end of window `number`, from 1, where the first ones are `width` wide. After 1024 windows the width doubles,
+/// and after each 512 again: a window is at most 1/512 of its abscissa wide, and long records have few.
 double window_end(double width, std::int64_t number);
 
 /// Gathers the means. Kept and restored member by member, it goes on bit for bit.
 struct WindowRecord {
-  double width = 0.0;           ///< of the first windows, > 0
-  Series means{};               ///< complete windows: the axis holds their upper ends, the columns the means
-  std::int64_t number = 0;      ///< of the open window; 0 before the first point
-  double begin = 0.0;           ///< where the open window begins: its lower end, or the first point of the curve
-  double at = 0.0;              ///< last point of the curve
+  double width = 0.0;            ///< of the first windows, > 0
+  Series means{};                ///< complete windows: the axis holds their upper ends, the columns the means
+  std::int64_t number = 0;       ///< of the open window; 0 before the first point
+  double begin = 0.0;            ///< where the open window begins: its lower end, or the first point of the curve
+  double at = 0.0;               ///< last point of the curve
   std::vector<double> values{};  ///< there
-  std::vector<double> sums{};   ///< integrals over the open window so far
+  std::vector<double> sums{};    ///< integrals over the open window so far
 
   /// The next point, joined to the last by a straight line; `now` has a value for each column. Where the abscissa runs
   /// back, nothing is added until it is passed again. A point that is not finite is left out.

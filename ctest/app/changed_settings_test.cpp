@@ -28,7 +28,9 @@ scheme = "RD"
 loading.amplitude = "2 kPa"
 [scale.paper]
 )"),
-                  .scale = "paper", .user_file = {}, .overrides = {}};
+                  .scale = "paper",
+                  .user_file = {},
+                  .overrides = {}};
     if (!user.empty()) layers.user_file = scratch_.write("user.toml", user);
     for (const auto& [key, value] : settings) layers.overrides.push_back({key, value, "--set " + key});
     const Configuration configuration(layers);
@@ -59,7 +61,10 @@ TEST_F(ChangedSettings, AreNamedWithBothValues) {
 }
 
 TEST_F(ChangedSettings, DoNotCountHowARunIsComputed) {
-  EXPECT_EQ(changed({{"engine", "elastic"}, {"seed", "7"}, {"replicates", "1"}, {"rows.row_interval", "1 s"},
+  EXPECT_EQ(changed({{"engine", "elastic"},
+                     {"seed", "7"},
+                     {"replicates", "1"},
+                     {"rows.row_interval", "1 s"},
                      {"shear.time_step", "5e-7"}}),
             Texts{});
 }

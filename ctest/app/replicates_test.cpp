@@ -27,8 +27,9 @@ Provenance result(const std::string& point, int replicate, const std::string& of
 TEST(Replicates, BeginWithRecipesOfTheirOwn) {
   EXPECT_NO_THROW(refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1, 0.6)}}));
   EXPECT_NO_THROW(refuse_equal_recipes({{sample(1), sample(1, 0.5, "dense")}, {sample(2)}}));
-  const std::string message =
-      message_of<ConfigurationError>([] { refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1)}}); });
+  const std::string message = message_of<ConfigurationError>([] {
+    refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1)}});
+  });
   EXPECT_CONTAINS(message, "replicates 1 and 3 of the sample \"loose\" are the same");
   EXPECT_CONTAINS(message, "give sample.loose.seed_offsets a number for each replicate, no two of them equal");
 }
@@ -37,8 +38,9 @@ TEST(Replicates, AreRefusedWhenASearchComesToTheSampleOfAnother) {
   EXPECT_NO_THROW(refuse_equal_samples({result("RD", 0, "loose a"), result("RI", 0, "loose a"),
                                         result("RD_r2", 1, "loose b"), result("other", 1, "dense a")}));
   EXPECT_NO_THROW(refuse_equal_samples({result("RD", 0, "loose"), result("RD_r2", 1, "loose")}));  // not of grains
-  const std::string message =
-      message_of<ConfigurationError>([] { refuse_equal_samples({result("RD", 0, "loose a"), result("RI_r2", 1, "loose a")}); });
+  const std::string message = message_of<ConfigurationError>([] {
+    refuse_equal_samples({result("RD", 0, "loose a"), result("RI_r2", 1, "loose a")});
+  });
   EXPECT_CONTAINS(message, "RD and RI_r2 are no replicates: they have the same sample \"loose\"");
   EXPECT_CONTAINS(message, "set sample.loose.seed_offsets");
 }

@@ -245,7 +245,9 @@ TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
   const auto metrics = [&](const std::string& interval, const std::string& engine) {
     fs::remove_all(output());
     EXPECT_EQ(run({"--engine", engine, "--point", "RD_r2", "--set", "stop.end_time=0.05", "--set",
-                   "rows.row_interval=" + interval, "--set", "rows.most_rows=10"}), 0) << error_;
+                   "rows.row_interval=" + interval, "--set", "rows.most_rows=10"}),
+              0)
+        << error_;
     const Result result = read_result(output() / "RD_r2.h5");
     EXPECT_EQ(result.windows.size(), 3U);
     return std::pair(values_of({result}, "peak"), windows_over(result, "time").column("shear_stress").values);
@@ -286,8 +288,9 @@ TEST_F(SlideProgram, WritesWhatWasRunBeforeItIsJudged) {
 }
 
 TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
-  ASSERT_EQ(run({"--point", "RD", "--set", "point.RD.hydraulic_conductivity=1e-3", "--set",
-                 "loading.amplitude=2 kPa"}), 0) << error_;
+  ASSERT_EQ(run({"--point", "RD", "--set", "point.RD.hydraulic_conductivity=1e-3", "--set", "loading.amplitude=2 kPa"}),
+            0)
+      << error_;
   const Result result = read_result(output() / "RD.h5");
   EXPECT_EQ(parameter_of({result}, "hydraulic_conductivity"), 1e-3);
   EXPECT_EQ(parameter_of({result}, "amplitude"), 2000.0);
@@ -296,7 +299,8 @@ TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
 
 TEST_F(SlideProgram, RunsUnderAnyLoading) {
   const std::string table = scratch_.write("load.txt", "0 0\n0.1 3000\n").string();
-  for (const std::string loading : {"{history = 'constant'}", "{history = 'rate', rate = 1e4}", "{history = 'pulse'}"}) {
+  for (const std::string loading :
+       {"{history = 'constant'}", "{history = 'rate', rate = 1e4}", "{history = 'pulse'}"}) {
     fs::remove_all(output());
     EXPECT_EQ(run({"--set", "point.RD.loading=" + loading, "--set", "stop.end_time=0.05"}), 0) << loading << error_;
   }

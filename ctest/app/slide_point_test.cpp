@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/slide_point.hpp"
 
+#include <algorithm>
+
 #include "app/error.hpp"
 #include "app/messages.hpp"
 #include "app/slide_case_text.hpp"
@@ -23,6 +25,12 @@ TEST(SlidePoint, TakesItsSchemeOverTheCouplingOfAll) {
   EXPECT_EQ(point.settings.time_step, 1e-4);
   EXPECT_EQ(point.settings.passing.time_step, 1e-5);
   EXPECT_EQ(point.point.figures, std::vector<std::string>{"12"});
+  EXPECT_TRUE(point.published);
+  EXPECT_NE(point.point.description.find("RI, pulse of 3 kPa over 2 s, k = 0 m/s"), std::string::npos);
+  const auto number = std::find_if(point.parameters.begin(), point.parameters.end(),
+                                   [](const Metric& parameter) { return parameter.name == "inertial_number"; });
+  ASSERT_NE(number, point.parameters.end());  // of the rate rule, as it was asked for
+  EXPECT_EQ(number->value, 1e-4);
 }
 
 TEST(SlidePoint, OverridesWhatItNames) {

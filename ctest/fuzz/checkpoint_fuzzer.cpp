@@ -88,10 +88,19 @@ Checkpoint checkpoint_of(Input& input) {
 
 /// Leaves parts out, or puts others in their place.
 void spoil(hdf5::Group& root, Input& input) {
-  static const char* const groups[] = {"checkpoint", "checkpoint/sample", "checkpoint/sample/numbers",
-                                       "checkpoint/sample/grains", "checkpoint/slide", "checkpoint/slide/profiles",
-                                       "checkpoint/slide/exchanges", "checkpoint/slide/exchanges/over_strain",
-                                       "checkpoint/shots", "checkpoint/measured", "series", "metrics", "parameters",
+  static const char* const groups[] = {"checkpoint",
+                                       "checkpoint/sample",
+                                       "checkpoint/sample/numbers",
+                                       "checkpoint/sample/grains",
+                                       "checkpoint/slide",
+                                       "checkpoint/slide/profiles",
+                                       "checkpoint/slide/exchanges",
+                                       "checkpoint/slide/exchanges/over_strain",
+                                       "checkpoint/shots",
+                                       "checkpoint/measured",
+                                       "series",
+                                       "metrics",
+                                       "parameters",
                                        "windows"};
   for (int i = input.byte() % 4; i > 0; --i) {
     try {

@@ -91,7 +91,7 @@ TEST(RelativeSpread, IsTheDeviationBetweenSamples) {
 
 TEST(CompareWithGrains, TakesTheErrorOnTheSameSample) {
   const auto metrics = compare(named({{"DEM_low", {alone(0.9), alone(1.0, 1), alone(1.1, 2)}},
-                                {"RI_low_1e-3", {slide(0.9), slide(1.02, 1), slide(1.21, 2)}}}));
+                                      {"RI_low_1e-3", {slide(0.9), slide(1.02, 1), slide(1.21, 2)}}}));
   EXPECT_NEAR(metrics.at("DEM_low.spread"), 0.1, rounding);
   EXPECT_NEAR(metrics.at("RI_low_1e-3.error"), 0.02, rounding);
   EXPECT_NEAR(metrics.at("RI_low_1e-3.error.highest"), 0.1, rounding);
@@ -101,16 +101,16 @@ TEST(CompareWithGrains, TakesTheErrorOnTheSameSample) {
 
 TEST(CompareWithGrains, FollowsTheErrorAsTheStepFalls) {
   const auto metrics = compare(named({{"DEM_high", {alone(1.0), alone(1.2, 1)}},
-                                {"RI_high_1e-3", {slide(0.99)}},
-                                {"RI_high_1e-4", {slide(0.97)}},
-                                {"RI_high_1e-5", {slide(0.80)}},
-                                {"RI_high_1e-6", {slide(0.70, 0, 0.03)}},
-                                {"carry_high_1e-3", {slide(1.01)}},
-                                {"carry_high_1e-5", {slide(1.02)}},
-                                {"carry_high_1e-6", {slide(1.01)}},
-                                {"carry30_high_1e-6", {slide(1.0302)}},
-                                {"reset_high_1e-3", {slide(1.01)}},
-                                {"reset_high_1e-6", {slide(1.05, 0, 0.021)}}}));
+                                      {"RI_high_1e-3", {slide(0.99)}},
+                                      {"RI_high_1e-4", {slide(0.97)}},
+                                      {"RI_high_1e-5", {slide(0.80)}},
+                                      {"RI_high_1e-6", {slide(0.70, 0, 0.03)}},
+                                      {"carry_high_1e-3", {slide(1.01)}},
+                                      {"carry_high_1e-5", {slide(1.02)}},
+                                      {"carry_high_1e-6", {slide(1.01)}},
+                                      {"carry30_high_1e-6", {slide(1.0302)}},
+                                      {"reset_high_1e-3", {slide(1.01)}},
+                                      {"reset_high_1e-6", {slide(1.05, 0, 0.021)}}}));
   EXPECT_NEAR(metrics.at("RI_growth"), 30.0, 1e-9);
   EXPECT_NEAR(metrics.at("RI_least_growth"), 0.3 / 0.2, 1e-9);
   EXPECT_NEAR(metrics.at("carry_growth"), 1.0, 1e-9);
@@ -125,9 +125,9 @@ TEST(CompareWithGrains, FollowsTheErrorAsTheStepFalls) {
 
 TEST(CompareWithGrains, TellsWhichSampleAloneIsNearer) {
   const auto metrics = compare(named({{"DEM_low", {alone(0.6)}},
-                                {"DEM_high", {alone(1.0)}},
-                                {"RI_high_1e-3", {slide(1.0)}},
-                                {"RI_high_1e-6", {slide(0.7)}}}));
+                                      {"DEM_high", {alone(1.0)}},
+                                      {"RI_high_1e-3", {slide(1.0)}},
+                                      {"RI_high_1e-6", {slide(0.7)}}}));
   EXPECT_NEAR(metrics.at("RI_distance_to_low_over_high"), (0.1 / 0.6) / 0.3, 1e-9);
 }
 

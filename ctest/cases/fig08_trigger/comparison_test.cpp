@@ -42,7 +42,8 @@ TEST(Comparison, HoldsTheDifferenceOfSchemesAgainstThatOfSamples) {
   // 60 Pa between RD and RI and by sqrt(2) x 200 Pa between samples.
   std::map<std::string, double> metrics;
   compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0), slide(1200.0, 5400.0, 2.0, 1)}},
-                 {"RD_ramp", {slide(1030.0, 5060.0, 1.5), slide(1230.0, 5460.0, 1.5, 1)}}}, metrics);
+                 {"RD_ramp", {slide(1030.0, 5060.0, 1.5), slide(1230.0, 5460.0, 1.5, 1)}}},
+                metrics);
   EXPECT_NEAR(metrics.at("path_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("peak_difference_over_spread"), 0.3 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(metrics.at("velocity_ratio"), 0.75, 1e-9);
@@ -52,15 +53,17 @@ TEST(Comparison, HoldsTheDifferenceOfSchemesAgainstThatOfSamples) {
 TEST(Comparison, ComparesTheSamplesThatBothHave) {
   // RD on samples 1, 2 and 4, RI on 1, 3 and 4: those on one sample differ by 30 and 60 Pa.
   std::map<std::string, double> metrics;
-  compare_ramps({{"RI_ramp", {slide(1000.0, 5000.0, 2.0, 0), slide(9000.0, 5000.0, 2.0, 2), slide(1200.0, 5400.0, 2.0, 3)}},
-                 {"RD_ramp", {slide(1030.0, 5000.0, 1.0, 0), slide(5.0, 5000.0, 1.0, 1), slide(1260.0, 5400.0, 1.0, 3)}}},
-                metrics);
+  compare_ramps(
+      {{"RI_ramp", {slide(1000.0, 5000.0, 2.0, 0), slide(9000.0, 5000.0, 2.0, 2), slide(1200.0, 5400.0, 2.0, 3)}},
+       {"RD_ramp", {slide(1030.0, 5000.0, 1.0, 0), slide(5.0, 5000.0, 1.0, 1), slide(1260.0, 5400.0, 1.0, 3)}}},
+      metrics);
   EXPECT_NEAR(metrics.at("peak_difference_over_spread"), std::sqrt(0.5 * (900.0 + 3600.0)) / (100.0 * std::sqrt(2.0)),
               1e-9);
   EXPECT_NEAR(metrics.at("velocity_ratio"), 0.5, 1e-9);
   metrics.clear();
   compare_ramps({{"RI_ramp", {slide(1000.0, 1.0, 1.0, 0), slide(1.0, 1.0, 1.0, 2)}},
-                 {"RD_ramp", {slide(1000.0, 1.0, 1.0, 0), slide(1.0, 1.0, 1.0, 1)}}}, metrics);
+                 {"RD_ramp", {slide(1000.0, 1.0, 1.0, 0), slide(1.0, 1.0, 1.0, 1)}}},
+                metrics);
   EXPECT_TRUE(metrics.empty());  // one pair has no spread
 }
 

@@ -36,9 +36,11 @@ Series over_displacement(const Result& result) { return windows_over(result, "di
 
 TEST(Comparison, FindsWhereTheSchemesPart) {
   // RD stays at 1.8 m/s: a tenth below RI where that has 2 m/s. Places stand 0.05 m apart, dv = a dx/v.
-  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 1.8)), over_displacement(slide(1.0, 9.0))), 2.0, 0.05 / 2.0);
+  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 1.8)), over_displacement(slide(1.0, 9.0))), 2.0,
+              0.05 / 2.0);
   // Never: up to the end at sqrt(2 x 4) m/s.
-  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 9.0)), over_displacement(slide(1.0, 9.0))), std::sqrt(8.0), 0.04);
+  EXPECT_NEAR(parting_velocity(over_displacement(slide(1.0, 9.0)), over_displacement(slide(1.0, 9.0))), std::sqrt(8.0),
+              0.04);
 }
 
 TEST(Comparison, TakesPairsOnOneSample) {

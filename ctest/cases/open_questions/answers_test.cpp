@@ -77,7 +77,8 @@ TEST(Answers, SizesAreInOrder) {
   EXPECT_EQ(sizes.columns[2].values, (std::vector<double>{5.0, 4.0}));
   EXPECT_EQ(sizes_series({}, "pulse_glued").rows(), 0u);
   // A closed-form sample has no grains.
-  EXPECT_EQ(sizes_series({{"pulse_glued", {with({{"largest_velocity", 1.0, "m/s", "v_max"}})}}}, "pulse_glued").rows(), 0u);
+  EXPECT_EQ(sizes_series({{"pulse_glued", {with({{"largest_velocity", 1.0, "m/s", "v_max"}})}}}, "pulse_glued").rows(),
+            0u);
 }
 
 }  // namespace
