@@ -109,5 +109,27 @@ TEST_F(CorruptionProgram, ShearsNoDamagedSample) {
   }
 }
 
+TEST_F(CorruptionProgram, GoesOnWithNoSampleButItsOwn) {
+  const Words options{"--engine", "native", "--point", "alone"};
+  ::setenv("FLOWSLIDE_CACHE", out("cache").c_str(), 1);
+  const auto process = start("out", "alone", options);
+  process->signal(SIGTERM);
+  ASSERT_EQ(process->wait(), 75) << process->said();
+  // The sample has been prepared anew since, with another stress.
+  const SampleStore store(out("cache"));
+  for (const auto& entry : std::filesystem::directory_iterator(out("cache"))) {
+    if (entry.path().extension() != ".h5") continue;
+    const std::string key = entry.path().stem().string();
+    StoredSample sample = *store.find(key);
+    for (Vector3& position : sample.assembly.position) position.x() += 1e-4;
+    for (Vector3& force : sample.assembly.force) force *= 1.001;
+    store.put(key, sample);
+  }
+  EXPECT_EQ(run("out", options), 2) << said_;
+  EXPECT_CONTAINS(said_, "the checkpoint of alone does not fit: the state is that of another sample");
+  EXPECT_CONTAINS(said_, "begin the point anew with --afresh");
+  EXPECT_EQ(run("out", {"--engine", "native", "--point", "alone", "--afresh"}), 0) << said_;
+}
+
 }  // namespace
 }  // namespace flowslide
