@@ -80,11 +80,10 @@ auto as_written_by_user(const std::string& place, Read&& read) {
   }
 }
 
-/// Runs `body` and returns its result, or the code of what it throws; FinishedEarly -> 0. Instead of 0 and 4 it returns 1
-/// if standard output cannot be written.
-/// Prints one message "flowslide: ..." to stderr per failure. `rank` is the MPI rank, if known: what every rank says
-/// alike (help, configuration) is printed by rank 0 only, a numerical failure or a defect by each rank that meets it.
-/// Never throws.
+/// Runs `body` and returns its result, or the code of what it throws; FinishedEarly -> 0. Instead of 0 and 4 it returns
+/// 1 if standard output cannot be written. Prints one message "flowslide: ..." to stderr per failure. `rank` is the MPI
+/// rank, if known: what every rank says alike (help, configuration) is printed by rank 0 only, a numerical failure or a
+/// defect by each rank that meets it. Never throws.
 int run_main(const std::function<int()>& body, int rank = 0) noexcept;
 
 }  // namespace flowslide

@@ -45,13 +45,15 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }  // namespace
 
 StressTable read_loading_table(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file, "a loading table");
+  return loading_table_of(read_text_file(file, "a loading table"), file.string());
+}
+
+StressTable loading_table_of(std::string_view text, const std::string& origin) {
   StressTable table;
-  std::string_view rest = text;
-  for (int number = 1; !rest.empty(); ++number) {
-    const std::string place = fmt::format("{}:{}", file.string(), number);
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  for (int number = 1; !text.empty(); ++number) {
+    const std::string place = fmt::format("{}:{}", origin, number);
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::vector<std::string_view> words = words_of(line);
     if (words.empty()) continue;
     if (words.size() != 2)
@@ -65,8 +67,8 @@ StressTable read_loading_table(const std::filesystem::path& file) {
     table.change.push_back(number_of(words[1], place));
   }
   if (table.time.empty())
-    throw ConfigurationError(fmt::format("{}: the loading table is empty; give rows of a time in s and a stress in Pa",
-                                         file.string()));
+    throw ConfigurationError(
+        fmt::format("{}: the loading table is empty; give rows of a time in s and a stress in Pa", origin));
   return table;
 }
 

@@ -9,9 +9,9 @@
 namespace flowslide {
 
 /// Reads a loading table from a text file: per line a time in s and the change of the driving shear stress in Pa,
-/// separated by blanks; "#" begins a comment. The decimal sign is a point in every locale. Throws ConfigurationError with
-/// file and line if the file cannot be read (see read_text_file) or is no valid table: empty, unsorted, not finite, not
-/// two numbers.
+/// separated by blanks; "#" begins a comment. The decimal sign is a point in every locale. Throws ConfigurationError
+/// with file and line if the file cannot be read (see read_text_file) or is no valid table: empty, unsorted, not
+/// finite, not two numbers.
 StressTable read_loading_table(const std::filesystem::path& file);
 
 /// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the

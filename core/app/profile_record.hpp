@@ -38,8 +38,8 @@ class ProfileRecord {
   explicit ProfileRecord(ProfilePlan plan);
 
   /// Takes a snapshot of the sample if one is due at this strain of the layer, and is cheap if not. The velocity of the
-  /// top layer is that of its grains, or of the upper face in a cell that is periodic along z. Throws NumericalFailure if
-  /// a sublayer holds no solid.
+  /// top layer is that of its grains, or of the upper face in a cell that is periodic along z. Throws NumericalFailure
+  /// if a sublayer holds no solid.
   void take(double strain, const DemSample& sample);
   /// Those profiles that have all their snapshots, up to the first of a sample that stands still or bears no stress.
   Series series() const;

@@ -68,8 +68,10 @@ std::optional<FileLock> wait_for(const SampleStore& store, const std::string& ke
       try {
         lock = store.try_lock(key);
       } catch (const FileError& error) {
-        throw FileError(fmt::format("{}: it is not in the cache and cannot be prepared there: {}; set FLOWSLIDE_CACHE to "
-                                    "a folder that has it or may be written", label, error.what()));
+        throw FileError(
+            fmt::format("{}: it is not in the cache and cannot be prepared there: {}; set FLOWSLIDE_CACHE to "
+                        "a folder that has it or may be written",
+                        label, error.what()));
       }
       if (!lock && !said)
         style.say(fmt::format("{}: waits for {}, which prepares this sample ({})", label, store.holder(key), key));

@@ -98,7 +98,8 @@ void check_together(const Tables& table, const SlidePoint& point) {
   if (std::abs(driving - prepared) <= largest_residual * initial_normal_stress(settings.slope)) return;
   table.refuse("sample",
                fmt::format("is prepared to tau = {:.4g} Pa, and the slope begins with {:.4g} Pa: they may differ by {} "
-                           "sigma_0 at most", prepared, driving, largest_residual),
+                           "sigma_0 at most",
+                           prepared, driving, largest_residual),
                "choose a sample that is not isotropic, or let the residual stay");
 }
 

@@ -68,9 +68,10 @@ void Slide::check_finite() const {
   const bool finite = std::isfinite(state_.velocity) && std::isfinite(state_.sliding.displacement) &&
                       std::isfinite(state_.strain.norm()) && std::isfinite(state_.stress.shear + state_.stress.normal);
   if (finite) return;
-  throw NumericalFailure(fmt::format("the slide is not finite at t = {} s: v = {} m/s, tau = {} Pa, sigma = {} Pa; use a "
-                                     "smaller time step than dt_G = {} s", state_.time, state_.velocity,
-                                     state_.stress.shear, state_.stress.normal, settings_.time_step));
+  throw NumericalFailure(
+      fmt::format("the slide is not finite at t = {} s: v = {} m/s, tau = {} Pa, sigma = {} Pa; use a "
+                  "smaller time step than dt_G = {} s",
+                  state_.time, state_.velocity, state_.stress.shear, state_.stress.normal, settings_.time_step));
 }
 
 void Slide::run_sample(LocalRun run) {

@@ -17,10 +17,11 @@ StressReading::StressReading(ResidualTreatment treatment, const BasalStress& bal
   if (treatment == ResidualTreatment::stays) return;
   const double share = std::max(std::abs(residual_.shear), std::abs(residual_.normal)) / balance.normal;
   if (prepared.normal > 0.0 && share <= largest_residual) return;
-  throw NumericalFailure(fmt::format(
-      "the sample has tau = {:.6g} Pa and sigma = {:.6g} Pa, and the slope begins with {:.6g} Pa and {:.6g} Pa (eqs 8 and "
-      "9): they may differ by {} of the slope's normal stress at most; prepare the sample to the stresses of this slope",
-      prepared.shear, prepared.normal, balance.shear, balance.normal, largest_residual));
+  throw NumericalFailure(
+      fmt::format("the sample has tau = {:.6g} Pa and sigma = {:.6g} Pa, and the slope begins with {:.6g} Pa and "
+                  "{:.6g} Pa (eqs 8 and 9): they may differ by {} of the slope's normal stress at most; prepare the "
+                  "sample to the stresses of this slope",
+                  prepared.shear, prepared.normal, balance.shear, balance.normal, largest_residual));
 }
 
 BasalStress StressReading::read(const CellStress& sample) const {

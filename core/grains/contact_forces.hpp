@@ -51,8 +51,8 @@ struct GrainForces {
 /// unloaded springs. The dashpots see the velocities of the half step, as in the engines' velocity-Verlet scheme,
 ///   v_half = v - dt/2 f/m,   w_half = w - dt/2 T/I_s
 /// with the force and torque of the assembly, for mobile grains; glued grains keep theirs. The rigid axes' planes act
-/// on mobile grains only: a glued grain is carried by its layer. Images of a sheared cell are where, and as fast as, the
-/// cell says. `time_step` in s; 0 takes the full-step velocities.
+/// on mobile grains only: a glued grain is carried by its layer. Images of a sheared cell are where, and as fast as,
+/// the cell says. `time_step` in s; 0 takes the full-step velocities.
 ///
 /// These are the forces of the step up to rounding: 1e-10 of the largest contact force for the native engine in double,
 /// 2e-6 with its law in float.

@@ -63,8 +63,7 @@ Vector3 tangential_force(const Material& material, const PairConstants& pair, co
 
 /// Torque of the rolling model, minus which acts on the first sphere; writes the new spring torque and `rolling`.
 Vector3 rolling_torque_of(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
-                          const Vector3& stored, double time_step, bool advance, Cap known,
-                          ContactForce& result) {
+                          const Vector3& stored, double time_step, bool advance, Cap known, ContactForce& result) {
   const Vector3 spin = motion.spin_first - motion.spin_second;
   const Vector3 rolling_spin = spin - spin.dot(motion.normal) * motion.normal;
   const double stiffness = material.rolling_stiffness * normal_stiffness(pair, motion.overlap) *
@@ -97,8 +96,8 @@ ContactForce evaluate_contact(const Material& material, const PairConstants& pai
   const Vector3 velocity = sliding_velocity(motion, lever_first, lever_second);
   const Vector3 tangential = tangential_force(material, pair, motion, velocity, tangential_spring, time_step,
                                               advance_history, spring_cap, result);
-  const Vector3 rolling = rolling_torque_of(material, pair, motion, rolling_torque, time_step, advance_history,
-                                            torque_cap, result);
+  const Vector3 rolling =
+      rolling_torque_of(material, pair, motion, rolling_torque, time_step, advance_history, torque_cap, result);
   const Vector3 arm = n.cross(tangential);
   result.on_first = result.normal * n + tangential;
   result.torque_on_first = -lever_first * arm - rolling;

@@ -79,7 +79,8 @@ std::string FileLock::holder(const std::filesystem::path& path) {
   pid_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  if (error != std::errc{} || number <= 0 || rest.size() < 3 || rest.front() != ' ' || rest.back() != '\n') return unknown;
+  if (error != std::errc{} || number <= 0 || rest.size() < 3 || rest.front() != ' ' || rest.back() != '\n')
+    return unknown;
   const std::string_view machine = rest.substr(1, rest.size() - 2);
   // One that has ended did not sign what another holds now: that one may not write the file.
   if (machine == this_machine() && ::kill(number, 0) != 0 && errno == ESRCH) return unknown;

@@ -11,7 +11,7 @@ namespace flowslide {
 struct Provenance {
   std::string code_version;            ///< of this project, such as "0.1.0"
   std::string git_revision;            ///< 40 hexadecimal digits, or "unknown" outside a repository
-  std::string git_state;               ///< "clean", "dirty" (changes not committed at build time) or "unknown: " and why
+  std::string git_state;  ///< "clean", "dirty" (changes not committed at build time) or "unknown: " and why
   std::string compiler;                ///< name and version
   std::string compiler_flags;
   std::string build_type;

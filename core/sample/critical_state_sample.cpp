@@ -61,10 +61,11 @@ CellStress CriticalStateSample::strain(const LocalRun& run) {
   const double shear = run.rate.shear * run.duration(), compression = run.rate.compression * run.duration();
   const double substeps = std::ceil(std::max(std::abs(shear), std::abs(compression)) / properties_.largest_substep);
   if (!std::isfinite(shear + compression) || substeps > most_substeps)
-    throw NumericalFailure(fmt::format(
-        "the critical-state sample is to follow a shear strain of {:.3g} and a compression of {:.3g} at once, more than "
-        "{:.0e} of its substeps of {}; use a smaller time step dt_G", shear, compression, most_substeps,
-        properties_.largest_substep));
+    throw NumericalFailure(
+        fmt::format("the critical-state sample is to follow a shear strain of {:.3g} and a compression of {:.3g} at "
+                    "once, more than "
+                    "{:.0e} of its substeps of {}; use a smaller time step dt_G",
+                    shear, compression, most_substeps, properties_.largest_substep));
   for (double done = 0.0; done < substeps; ++done) substep(shear / substeps, compression / substeps);
   shear_strain_ += shear;
   return stress();

@@ -108,7 +108,9 @@ TEST(ReadEntries, NamesAFileThatCannotBeRead) {
 
 TEST(ReadEntries, TakesAFileWithAByteOrderMarkAndNoPipe) {
   const ScratchFolder scratch;
-  const std::vector<Entry> entries = read_entries(scratch.write("marked.toml", "\xEF\xBB\xBF" "a = 3\n"));
+  const std::vector<Entry> entries = read_entries(scratch.write("marked.toml",
+                                                                "\xEF\xBB\xBF"
+                                                                "a = 3\n"));
   ASSERT_EQ(entries.size(), 1U);
   EXPECT_EQ(entries[0].key, "a");
   EXPECT_EQ(entries[0].key_place.column, 1U);

@@ -60,8 +60,8 @@ TEST(RunMain, EndsWithTwoForWhatTheUserWroteOrTheMachineRefuses) {
   EXPECT_EQ(outcome_of_throwing(FileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(CorruptFileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::filesystem::filesystem_error("a", std::error_code())).code, 2);
-  EXPECT_EQ(outcome_of_throwing(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))).code,
-            2);
+  EXPECT_EQ(
+      outcome_of_throwing(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))).code, 2);
 }
 
 TEST(RunMain, EndsWithThreeForWhatTheNumbersDid) {
@@ -79,8 +79,9 @@ TEST(RunMain, EndsWithSeventyForADefectOfItsOwn) {
   EXPECT_EQ(outcome_of_throwing(std::runtime_error("a")).code, 70);
   EXPECT_EQ(outcome_of_throwing(42).code, 70);
   const std::string said = outcome_of_throwing(std::out_of_range("no column 'x'")).error;
-  EXPECT_EQ(said, "flowslide: this is a defect of the program, not of your input: no column 'x'; please report it with "
-                  "the whole command, its configuration files and what --version prints\n");
+  EXPECT_EQ(said,
+            "flowslide: this is a defect of the program, not of your input: no column 'x'; please report it with "
+            "the whole command, its configuration files and what --version prints\n");
 }
 
 TEST(RunMain, EndsWithTheCodeOfTheFirstRankInSilence) {
@@ -110,7 +111,8 @@ TEST(StandardOutputDeathTest, ThatIsFullIsAnErrorHoweverItIsWritten) {
   constexpr const char* full = "standard output cannot be written: No space left on device; what was printed is not";
   const std::string much(100000, 'x');
   for (const int code : {0, 4}) {
-    EXPECT_EXIT(end_with_output_to("/dev/full", [&] { return std::cout << "a", code; }), testing::ExitedWithCode(1), full);
+    EXPECT_EXIT(end_with_output_to("/dev/full", [&] { return std::cout << "a", code; }), testing::ExitedWithCode(1),
+                full);
     EXPECT_EXIT(end_with_output_to("/dev/full", [&] { return std::cout << much, code; }), testing::ExitedWithCode(1),
                 "standard output cannot be written");
     EXPECT_EXIT(end_with_output_to("/dev/full", [&] { return std::fputs("a", stdout), code; }),
@@ -124,7 +126,8 @@ TEST(StandardOutputDeathTest, MattersOnlyWhereItIsUsed) {
   EXPECT_EXIT(end_with_output_to("/dev/full", [] { return 0; }), testing::ExitedWithCode(0), "");
   EXPECT_EXIT(end_with_output_to("/dev/full", [] { return std::cout << "a", 3; }), testing::ExitedWithCode(3), "");
   EXPECT_EXIT(end_with_output_to("/dev/null", [] { return std::cout << "a", 4; }), testing::ExitedWithCode(4), "");
-  EXPECT_EXIT(end_with_output_to("/dev/full", []() -> int { throw FinishedEarly("help"); }, 1),
+  EXPECT_EXIT(end_with_output_to(
+                  "/dev/full", []() -> int { throw FinishedEarly("help"); }, 1),
               testing::ExitedWithCode(0), "");  // another rank prints nothing
 }
 

@@ -55,12 +55,14 @@ TEST_F(LoadingTable, RowsOfOtherThanTwoNumbersAreRefused) {
 
 TEST_F(LoadingTable, FileThatCannotBeReadIsNamed) {
   for (const auto& path : {folder_.path() / "missing.txt", folder_.path()})
-    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_loading_table(path); }),
-                    path.string() + ": ");
+    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_loading_table(path); }), path.string() + ": ");
 }
 
 TEST_F(LoadingTable, MayBeginWithAByteOrderMark) {
-  EXPECT_EQ(read("\xEF\xBB\xBF" "0 0\r\n0.5 1200\r\n").time, (std::vector<double>{0.0, 0.5}));
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "0 0\r\n0.5 1200\r\n")
+                .time,
+            (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(read("\xEF\xBB\xBF# time stress\n0 7\n").change, (std::vector<double>{7.0}));
 }
 

@@ -96,8 +96,8 @@ TEST(ReadSlope, RefusesWhatNoSlopeHas) {
   EXPECT_CONTAINS(complaint("\"5 deg\"", "\"120 deg\""), "case.toml:8:9: slope.angle = \"120 deg\" is not allowed");
   EXPECT_CONTAINS(complaint("\"1500 kg/m^3\"", "\"1500 kg\""), "case.toml:4:15: slope.dry_density");
   // Rules that span two properties: the message gives value, range and mend.
-  const std::string message = message_of<ConfigurationError>(
-      [] { read_slope(with("water_table = \"0.2 m\"", "water_table = \"3 m\"")); });
+  const std::string message =
+      message_of<ConfigurationError>([] { read_slope(with("water_table = \"0.2 m\"", "water_table = \"3 m\"")); });
   EXPECT_CONTAINS(message, "water table is 3; allowed: 0 to 2");
   EXPECT_CONTAINS(message, "Measure it from the base");
 }

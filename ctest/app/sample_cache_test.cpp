@@ -328,7 +328,8 @@ TEST_F(SampleCache, SaysWhoItWaitsFor) {
     }
   });
   EXPECT_EQ(::waitpid(other, nullptr, 0), other);
-  const std::string waits = "sample loose (e0 0.75 wanted), trial 1: waits for process " + std::to_string(other) + " on ";
+  const std::string waits =
+      "sample loose (e0 0.75 wanted), trial 1: waits for process " + std::to_string(other) + " on ";
   EXPECT_CONTAINS(lines.str(), waits);
   EXPECT_CONTAINS(lines.str(), "which prepares this sample (" + key + ")");
   EXPECT_EQ(lines.str().find(waits), lines.str().rfind(waits));  // once

@@ -198,9 +198,10 @@ TEST(SlidePoint, RefusesWhatItsKeysMakeTogetherBeforeAnythingRuns) {
 TEST(SlidePoint, NeedsASampleThatIsPreparedToTheStressesOfItsSlope) {
   std::string text = slide_case_text();
   text.replace(text.find("isotropic = false"), 17, "isotropic = true");
-  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read(text, "RD"); }),
-                  "is prepared to tau = 0 Pa, and the slope begins with 2650 Pa: they may differ by 0.05 sigma_0 at most; "
-                  "choose a sample that is not isotropic, or let the residual stay");
+  EXPECT_CONTAINS(
+      message_of<ConfigurationError>([&] { read(text, "RD"); }),
+      "is prepared to tau = 0 Pa, and the slope begins with 2650 Pa: they may differ by 0.05 sigma_0 at most; "
+      "choose a sample that is not isotropic, or let the residual stay");
   EXPECT_NO_THROW(read(text, "RD", 0, "elastic"));  // in balance with any slope
   text.replace(text.find("residual = \"fades\""), 18, "residual = \"stays\"");
   EXPECT_NO_THROW(read(text, "RD"));

@@ -21,13 +21,22 @@ class TextFile : public testing::Test {
 TEST_F(TextFile, IsReadByteByByteButForItsMark) {
   EXPECT_EQ(read(""), "");
   EXPECT_EQ(read("a\r\n\0b"), "a\r\n\0b");
-  EXPECT_EQ(read("\xEF\xBB\xBF" "0 0\n"), "0 0\n");
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "0 0\n"),
+            "0 0\n");
   EXPECT_EQ(read("0 \xEF\xBB\xBF"), "0 \xEF\xBB\xBF");  // no mark: it does not begin the text
 }
 
 TEST_F(TextFile, OfAnotherEncodingIsRefused) {
   using namespace std::string_literals;
-  for (const std::string& bytes : {"\xFF\xFE" "0\0"s, "\xFE\xFF\0" "0"s, "\xFF\xFE\0\0" "0\0\0\0"s, "\0\0\xFE\xFF\0\0\0" "0"s})
+  for (const std::string& bytes : {"\xFF\xFE"
+                                   "0\0"s,
+                                   "\xFE\xFF\0"
+                                   "0"s,
+                                   "\xFF\xFE\0\0"
+                                   "0\0\0\0"s,
+                                   "\0\0\xFE\xFF\0\0\0"
+                                   "0"s})
     EXPECT_CONTAINS(complaint(folder_.write("wide", bytes)), "wide: is UTF-16 or UTF-32; save it as UTF-8");
 }
 

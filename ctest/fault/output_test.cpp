@@ -60,11 +60,19 @@ TEST_F(Output, OnAFullFileSystem) {
 void give_full_output() { ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO); }
 
 TEST_F(Output, ThatIsPrintedNowhereIsAnError) {
-  scratch_.write("claims.toml", "[[claim]]\nid = \"rows\"\nfigure = \"Fig. 12\"\nsentence = \"It has rows.\"\n"
-                                "metric = \"RD.rows\"\nrelation = \">\"\nthreshold = 0\nunit = \"1\"\norigin = \"no rounding\"\n");
+  scratch_.write("claims.toml",
+                 "[[claim]]\nid = \"rows\"\nfigure = \"Fig. 12\"\nsentence = \"It has rows.\"\n"
+                 "metric = \"RD.rows\"\nrelation = \">\"\nthreshold = 0\nunit = \"1\"\norigin = \"no rounding\"\n");
   ASSERT_EQ(run("out", {"--engine", "elastic", "--point", "RD"}), 0) << said_;
-  for (const Words& options : {Words{"--help"}, {"--version"}, {"--list"}, {"--list", "--json"}, {"--dry-run"},
-                               {"--status"}, {"--status", "--json"}, {"--check"}, {"--so-far"}}) {
+  for (const Words& options : {Words{"--help"},
+                               {"--version"},
+                               {"--list"},
+                               {"--list", "--json"},
+                               {"--dry-run"},
+                               {"--status"},
+                               {"--status", "--json"},
+                               {"--check"},
+                               {"--so-far"}}) {
     Words words{"--engine", "elastic"};
     words.insert(words.end(), options.begin(), options.end());
     ASSERT_EQ(run("out", words), 0) << options[0] << "\n" << said_;

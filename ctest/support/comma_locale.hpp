@@ -14,7 +14,8 @@
 namespace flowslide {
 
 /// While one lives, the process has a locale with a decimal comma and points between thousands, as a host program may
-/// have set it: for the C library and for C++ streams. No installed locale is needed: the file that `localedef` makes of
+/// have set it: for the C library and for C++ streams. No installed locale is needed: the file that `localedef` makes
+/// of
 ///   LC_NUMERIC
 ///   decimal_point ","
 ///   thousands_sep "."

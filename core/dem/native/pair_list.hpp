@@ -33,9 +33,9 @@ class PairList {
   void set_histories(const std::vector<ContactHistory>& contacts);
   /// Forgets the histories that a law without these parts does not keep.
   void forget(LawVariant variant);
-  /// Adds the histories of the pairs that touch and whose first grain the share owns. `eased`: a copy of this list after
-  /// a contact pass with no time step and friction lowered to (1 - easing) of itself. A history that is shorter there is
-  /// at its cap. Without it, caps are unknown.
+  /// Adds the histories of the pairs that touch and whose first grain the share owns. `eased`: a copy of this list
+  /// after a contact pass with no time step and friction lowered to (1 - easing) of itself. A history that is shorter
+  /// there is at its cap. Without it, caps are unknown.
   void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
                      const PairList* eased = nullptr) const;
   static constexpr double easing = 1e-6;

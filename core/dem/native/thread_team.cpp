@@ -22,7 +22,8 @@ ThreadTeam::ThreadTeam(int size) : size_(size) {
     for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { serve(number); });
   } catch (const std::system_error& error) {
     send_home();
-    throw EngineError(fmt::format("the native engine cannot start {} threads: {}; let it use fewer", size, error.what()));
+    throw EngineError(
+        fmt::format("the native engine cannot start {} threads: {}; let it use fewer", size, error.what()));
   }
 }
 

@@ -79,8 +79,8 @@ class Worker {
   /// Adds to `sums` what the top layer and planes do to the share's grains, and takes the moments of drag out of them.
   /// Velocities are those of the half step.
   void add_boundary_forces(StressSums& sums) const;
-  /// Adds the histories of the share's pairs that touch. In float it finds out which are at their caps. `half_step`: the
-  /// grains as the last evaluation of forces saw them.
+  /// Adds the histories of the share's pairs that touch. In float it finds out which are at their caps. `half_step`:
+  /// the grains as the last evaluation of forces saw them.
   void add_histories(const std::vector<Body<Real>>& half_step, std::vector<ContactHistory>& contacts) const;
 
   /// Searches all pairs and builds the list anew.

@@ -32,7 +32,10 @@ TEST(Instance, WritesItsLogWhateverThePath) {
   for (const char* name : {"with blanks", "a \" quote", "both \" and '", "$HOME ${x} #1 &", "M\xC3\xBCller"}) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / name;
     std::filesystem::create_directories(folder);
-    { LiggghtsInstance instance(folder / "a log.txt"); instance.command("print \"here it is\""); }
+    {
+      LiggghtsInstance instance(folder / "a log.txt");
+      instance.command("print \"here it is\"");
+    }
     LiggghtsInstance other(testing::TempDir() + "one.log");  // takes the instance and closes the first log
     std::ifstream log(folder / "a log.txt");
     const std::string text(std::istreambuf_iterator<char>(log), {});
