@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "record/input_table.hpp"
 #include "slope/driving_stress.hpp"
@@ -13,6 +14,9 @@ namespace flowslide {
 /// with file and line if the file cannot be read (see read_text_file) or is no valid table: empty, unsorted, not
 /// finite, not two numbers.
 StressTable read_loading_table(const std::filesystem::path& file);
+
+/// The same from a text; `origin` stands for the file in messages.
+StressTable loading_table_of(std::string_view text, const std::string& origin);
 
 /// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
 /// configuration.

@@ -15,7 +15,7 @@ class ChangedSettings : public testing::Test {
     Layers layers{.case_file = scratch_.write("case.toml", R"(engine = "native"
 seed = 1
 replicates = 3
-shear.time_step = 1e-5
+shear.time_step = "1e-5 s"
 [loading]
 amplitude = "3 kPa"
 [rows]
@@ -55,7 +55,7 @@ TEST_F(ChangedSettings, AreNoneOfTheCaseItself) {
 }
 
 TEST_F(ChangedSettings, AreNamedWithBothValues) {
-  EXPECT_EQ(changed({{"loading.amplitude", "2 kPa"}}), Texts{"loading.amplitude = 2000.0 Pa, not \"3 kPa\""});
+  EXPECT_EQ(changed({{"loading.amplitude", "2 kPa"}}), Texts{"loading.amplitude = \"2000.0 Pa\", not \"3 kPa\""});
   EXPECT_EQ(changed({}, "profiles.strains = [0.1, 0.2]"), Texts{"profiles.strains = [0.1, 0.2], not [0.1, 0.3]"});
   EXPECT_EQ(changed({{"point.RD.k", "1"}}), Texts{"point.RD.k = 1.0, which the case does not set"});
 }
@@ -65,7 +65,7 @@ TEST_F(ChangedSettings, DoNotCountHowARunIsComputed) {
                      {"seed", "7"},
                      {"replicates", "1"},
                      {"rows.row_interval", "1 s"},
-                     {"shear.time_step", "5e-7"}}),
+                     {"shear.time_step", "5e-7 s"}}),
             Texts{});
 }
 

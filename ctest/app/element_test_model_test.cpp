@@ -39,7 +39,7 @@ TEST(ForSample, TakesTheRateOfAnInertialNumberFromTheGrains) {
   recipe.normal_stress = 28e3;
   const ElementTest by_number = for_sample(read("inertial_number = 1e-2\nfinal_strain = 0.05\n"), recipe, 3e-3);
   EXPECT_EQ(by_number.shear_rate, shear_rate_for(1e-2, 3e-3, Material{}.density, 28e3));
-  EXPECT_EQ(for_sample(read("shear_rate = 1\nfinal_strain = 1\n"), recipe, 3e-3).shear_rate, 1.0);
+  EXPECT_EQ(for_sample(read("shear_rate = \"1 1/s\"\nfinal_strain = 1\n"), recipe, 3e-3).shear_rate, 1.0);
 }
 
 TEST(ReadElementTest, RefusesBothRatesNoneAndValuesOutOfRange) {

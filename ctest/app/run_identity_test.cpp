@@ -14,7 +14,7 @@ RunInputs inputs(const std::string& engine, const StressTable& loading = {{0.0, 
   return {engine, is_closed_form(engine) ? "" : "native", {input_table("quake.txt", loading)}};
 }
 
-const std::string configuration = "engine = \"native\"\nslope.angle = 0.1  # rad\n";
+const std::string configuration = "engine = \"native\"\nslope.angle = \"0.1 rad\"\n";
 
 RunIdentity identity(const RunInputs& inputs, const std::string& of = configuration) {
   return {"fig12_pulse", "RD", inputs, of};
@@ -48,8 +48,8 @@ TEST(RunIdentity, IsRecognizedInTheResult) {
 TEST(RunIdentity, DiffersByEverythingThatWentIn) {
   const RunIdentity now = identity(inputs("native"));
   const auto difference = [&](const RunIdentity& there) { return now.difference_from(there); };
-  EXPECT_EQ(difference(identity(inputs("native"), "engine = \"native\"\nslope.angle = 0.2  # rad\n")),
-            "slope.angle = 0.2 there, 0.1 now");
+  EXPECT_EQ(difference(identity(inputs("native"), "engine = \"native\"\nslope.angle = \"0.2 rad\"\n")),
+            "slope.angle = \"0.2 rad\" there, \"0.1 rad\" now");
   EXPECT_EQ(difference({"fig12_pulse", "RI", inputs("native"), configuration}), "point name = RI there, RD now");
   EXPECT_EQ(difference({"fig13_k", "RD", inputs("native"), configuration}),
             "case name = fig13_k there, fig12_pulse now");
@@ -94,7 +94,7 @@ TEST(FindResult, TellsWhatAFileIsToARun) {
   EXPECT_EQ(find_result(file, now).problem, "");
   const FoundResult other = find_result(file, identity(inputs("elastic"), "engine = \"elastic\"\n"));
   EXPECT_EQ(other.standing, Standing::other);
-  EXPECT_CONTAINS(other.problem, "slope.angle = 0.1 is only there");
+  EXPECT_CONTAINS(other.problem, "slope.angle = \"0.1 rad\" is only there");
   overwrite(file, "torn");
   EXPECT_EQ(find_result(file, now).standing, Standing::damaged);
   EXPECT_CONTAINS(find_result(file, now).problem, file.string());

@@ -304,7 +304,7 @@ TEST_F(SampleCache, ReadsTheFolderOfAnotherUser) {
 }
 
 TEST_F(SampleCache, SaysWhoItWaitsFor) {
-  const std::string key = cache_key(easy.recipe, "block 1");
+  const std::string key = cache_key(easy.recipe, preparation_identity("block", "1"));
   int ready[2], done[2];
   ASSERT_EQ(::pipe(ready), 0);
   ASSERT_EQ(::pipe(done), 0);
@@ -347,10 +347,10 @@ TEST_F(SampleCache, ShowsItsProgress) {
 }
 
 TEST(CacheKey, IsOfThirtyTwoHexadecimalDigits) {
-  const std::string key = cache_key(easy.recipe, "block 1");
+  const std::string key = cache_key(easy.recipe, preparation_identity("block", "1"));
   EXPECT_EQ(key.size(), 32U);
   EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
-  EXPECT_EQ(cache_key(easy.recipe, "block 1"), key);
+  EXPECT_EQ(cache_key(easy.recipe, preparation_identity("block", "1")), key);
 }
 
 TEST(CacheKey, DiffersByThePreparationAndByEveryPartOfTheRecipe) {

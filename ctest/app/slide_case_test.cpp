@@ -137,7 +137,7 @@ TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
 }
 
 TEST_F(SlideProgram, LeavesResultsOfAnotherRunOutOfTheBands) {
-  ASSERT_EQ(run({"--point", "RD", "--set", "stop.end_time=0.1"}), 0) << error_;
+  ASSERT_EQ(run({"--point", "RD", "--set", "stop.end_time=0.1 s"}), 0) << error_;
   ASSERT_EQ(run({"--point", "RI"}), 0) << error_;
   EXPECT_EQ(run({"--point", "RI", "--check"}), 0) << error_;
   EXPECT_CONTAINS(error_, "RD.h5 is the result of another run (stop.end_time = 0.1 there, 4.0 now); it is left out");
@@ -157,7 +157,7 @@ TEST_F(SlideProgram, FindsALoadingTableBesideTheFileThatNamesIt) {
   const auto last_change = [&](std::vector<std::string> options) {
     fs::remove_all(output());
     fs::current_path(scratch_.path() / "elsewhere");
-    options.insert(options.end(), {"--point", "RD", "--set", "stop.end_time=0.1"});
+    options.insert(options.end(), {"--point", "RD", "--set", "stop.end_time=0.1 s"});
     EXPECT_EQ(run(options), 0) << error_;
     fs::current_path(before);
     return stress_table(read_result(output() / "RD.h5").inputs.at(0)).change.back();
@@ -175,9 +175,9 @@ TEST_F(SlideProgram, TakesTheMeanDiameterFromTheSampleThatWasFound) {
   const std::vector<std::string> search{"--set", "sample.loose.tolerance=2e-3", "--set", "sample.loose.most_trials=50"};
   std::vector<std::string> options{"--engine", "native",
                                    "--point",  "RI",
-                                   "--set",    "stop.end_time=2e-3",
+                                   "--set",    "stop.end_time=2e-3 s",
                                    "--set",    "rows.row_interval=1e-3",
-                                   "--set",    "coupling.initial_velocity=0.1"};
+                                   "--set",    "coupling.initial_velocity=0.1 m/s"};
   options.insert(options.end(), search.begin(), search.end());
   ASSERT_EQ(run(options), 0) << error_;
 
@@ -244,7 +244,7 @@ rows = 10
 TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
   const auto metrics = [&](const std::string& interval, const std::string& engine) {
     fs::remove_all(output());
-    EXPECT_EQ(run({"--engine", engine, "--point", "RD_r2", "--set", "stop.end_time=0.05", "--set",
+    EXPECT_EQ(run({"--engine", engine, "--point", "RD_r2", "--set", "stop.end_time=0.05 s", "--set",
                    "rows.row_interval=" + interval, "--set", "rows.most_rows=10"}),
               0)
         << error_;
@@ -288,7 +288,7 @@ TEST_F(SlideProgram, WritesWhatWasRunBeforeItIsJudged) {
 }
 
 TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
-  ASSERT_EQ(run({"--point", "RD", "--set", "point.RD.hydraulic_conductivity=1e-3", "--set", "loading.amplitude=2 kPa"}),
+  ASSERT_EQ(run({"--point", "RD", "--set", "point.RD.hydraulic_conductivity=1e-3 m/s", "--set", "loading.amplitude=2 kPa"}),
             0)
       << error_;
   const Result result = read_result(output() / "RD.h5");
@@ -300,17 +300,17 @@ TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
 TEST_F(SlideProgram, RunsUnderAnyLoading) {
   const std::string table = scratch_.write("load.txt", "0 0\n0.1 3000\n").string();
   for (const std::string loading :
-       {"{history = 'constant'}", "{history = 'rate', rate = 1e4}", "{history = 'pulse'}"}) {
+       {"{history = 'constant'}", "{history = 'rate', rate = '10 kPa/s'}", "{history = 'pulse'}"}) {
     fs::remove_all(output());
-    EXPECT_EQ(run({"--set", "point.RD.loading=" + loading, "--set", "stop.end_time=0.05"}), 0) << loading << error_;
+    EXPECT_EQ(run({"--set", "point.RD.loading=" + loading, "--set", "stop.end_time=0.05 s"}), 0) << loading << error_;
   }
   const auto file = scratch_.write("user.toml", "point.RD.loading = {history = 'table', file = '" + table + "'}\n");
   fs::remove_all(output());
-  EXPECT_EQ(run({"--config", file.string(), "--set", "stop.end_time=0.05"}), 0) << error_;
+  EXPECT_EQ(run({"--config", file.string(), "--set", "stop.end_time=0.05 s"}), 0) << error_;
 }
 
 TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
-  const std::string changed = "loading.amplitude = 2000.0 Pa, not \"3 kPa\"";
+  const std::string changed = "loading.amplitude = \"2000.0 Pa\", not \"3 kPa\"";
   ASSERT_EQ(run({"--set", "loading.amplitude=2 kPa"}), 0) << error_;
   EXPECT_CONTAINS(text_, "not evaluated  Fig. 12  all_there  > 0       2");  // measured, but not judged
   EXPECT_CONTAINS(text_, "not the paper's settings: " + changed);
@@ -320,7 +320,7 @@ TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
   EXPECT_CONTAINS(text_, "pulse of 2 kPa over 2 s");
   EXPECT_CONTAINS(error_, "settings that are not those of the case: " + changed + "; its claims are not evaluated");
   ASSERT_EQ(run({"--list", "--json", "--set", "loading.amplitude=2 kPa"}), 0);
-  EXPECT_CONTAINS(text_, "\"changed\": [\"loading.amplitude = 2000.0 Pa, not ");
+  EXPECT_CONTAINS(text_, "\"changed\": [\"loading.amplitude = \\\"2000.0 Pa\\\", not ");
 }
 
 TEST_F(SlideProgram, JudgesAStudyThatChoosesAnotherDraw) {
@@ -349,7 +349,7 @@ TEST_F(SlideProgram, RefusesReplicatesThatAreOneSample) {
 }
 
 TEST_F(SlideProgram, RefusesAReplicateWhoseSearchCameToTheSampleOfAnother) {
-  const std::vector<std::string> options{"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3"};
+  const std::vector<std::string> options{"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3 s"};
   ASSERT_EQ(run(options), 0) << error_;
   Result other = read_result(output() / "RD_r2.h5");
   EXPECT_TRUE(other.provenance.sample.starts_with("loose ")) << other.provenance.sample;

@@ -12,6 +12,7 @@
 
 #include "app/error.hpp"
 #include "app/loading_table.hpp"
+#include "slope/driving_stress.hpp"
 
 namespace {
 
@@ -41,8 +42,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(std::isfinite(table.time[row]) && std::isfinite(table.change[row]));
     require(row == 0 || table.time[row] > table.time[row - 1]);
   }
-  const flowslide::DrivingStress driving(flowslide::SlopeProperties{}, table);
-  require(!std::isnan(driving.at(table.time.front())) && !std::isnan(driving.at(table.time.back())));
+  const flowslide::StressHistory history = table;
+  flowslide::validate(history);  // throws what nobody catches
+  for (std::size_t row = 0; row < table.time.size(); ++row) {
+    require(flowslide::stress_change(history, table.time[row]) == table.change[row]);
+    if (row > 0)
+      require(std::isfinite(flowslide::stress_change(history, 0.5 * table.time[row - 1] + 0.5 * table.time[row])));
+  }
   const flowslide::StressTable again = flowslide::stress_table(flowslide::input_table(file, table));
   require(again.time == table.time && again.change == table.change);
   return 0;
