@@ -4,7 +4,12 @@
 tables = "fig02_slices_x.dat fig02_slices_y.dat fig02_slices_z.dat fig02_distances.dat fig02_contacts.dat"
 command = "./reproduce fig02_sample"
 script = ARG0; folder = ARG1; picture = ARG2
-load script[1:strlen(script) - strlen("sample.gp")]."style.gp"
+here = script[1:strlen(script) - strlen("sample.gp")]
+load here."style.gp"
+eval columns("", "fig02_slices_x.dat fig02_slices_y.dat fig02_slices_z.dat", \
+             "place void_ratio lowest_random highest_random")
+eval columns("", "fig02_distances.dat", "distance density")
+eval columns("", "fig02_contacts.dat", "contacts share")
 
 array axis[3] = ["x", "y", "z"]
 array colour[3] = [sky, orange, black]
@@ -22,8 +27,9 @@ do for [format in "png pdf"] {
   set ylabel "void ratio {/:Italic e}" offset 1
   set xrange [0:1]
   set key top center Left reverse
-  plot slices(3) using 1:3:4 with filledcurves linecolor rgb 0xDDDDDD notitle, \
-       for [i = 1:3] slices(i) using 1:2 with linespoints linewidth 1.2 pointtype mark[i] \
+  plot slices(3) using (column(place)):(column(lowest_random)):(column(highest_random)) \
+         with filledcurves linecolor rgb 0xDDDDDD notitle, \
+       for [i = 1:3] slices(i) using (column(place)):(column(void_ratio)) with linespoints linewidth 1.2 pointtype mark[i] \
          pointsize 0.5 linecolor rgb colour[i] title "across {/:Italic ".axis[i]."}"
 
   set title panel("B", "pairs of grains")
@@ -31,7 +37,7 @@ do for [format in "png pdf"] {
   set ylabel "radial distribution {/:Italic g}"
   set xrange [0:3]
   unset key
-  plot data("fig02_distances.dat") using 1:2 with lines linewidth 1.2 linecolor rgb black
+  plot data("fig02_distances.dat") using (column(distance)):(column(density)) with lines linewidth 1.2 linecolor rgb black
 
   set title panel("C", "contacts")
   set xlabel "contacts of a grain"
@@ -39,7 +45,7 @@ do for [format in "png pdf"] {
   set xrange [-0.8:*]
   set boxwidth 0.8
   set style fill solid 0.6
-  plot data("fig02_contacts.dat") using 1:2 with boxes linecolor rgb blue
+  plot data("fig02_contacts.dat") using (column(contacts)):(column(share)) with boxes linecolor rgb blue
   unset multiplot
   set output
 }

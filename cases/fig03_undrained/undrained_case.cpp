@@ -9,6 +9,7 @@
 
 #include "app/element_test_model.hpp"
 #include "app/ensemble.hpp"
+#include "app/error.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "app/replicates.hpp"
@@ -61,7 +62,9 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
     curve.picture_strain = configuration.number(table + "picture_strain", Range::between(0.0, curve.test.final_strain));
 
   const auto grains = recipe.packing.counts[0] * recipe.packing.counts[1] * recipe.packing.counts[2];
-  const auto steps = static_cast<double>(curve.test.steps(curve.time_step));
+  const auto steps = as_written_by_user("point " + name, [&] {
+    return static_cast<double>(curve.test.steps(curve.time_step));
+  });
   curve.point = {replicate_name(name, replicate),
                  configuration.texts(table + "figures"),
                  fmt::format("sample {}, {:.3g} /s to {:.3g} % in {:.3g} steps of {} grains", sample,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "grains/fields.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -27,9 +29,9 @@ std::string field_text(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string field_text(std::int64_t value) { return std::to_string(value); }
+std::string field_text(std::int64_t value) { return fmt::to_string(value); }
 
-std::string field_text(std::uint64_t value) { return std::to_string(value); }
+std::string field_text(std::uint64_t value) { return fmt::to_string(value); }
 
 std::string field_text(bool value) { return value ? "true" : "false"; }
 

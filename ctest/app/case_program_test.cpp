@@ -63,6 +63,7 @@ class Tiny : public Case {
   }
   void print_plan(const Point& point, std::ostream& out) const override {
     int ranks = 0, one = 1;  // engines are made by all ranks together
+    ensure_mpi();
     MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     out << "plan of " << point.name << " on " << ranks << "\n";
   }

@@ -2,11 +2,8 @@
 // Cases that slide, as whole programs: on a closed-form sample in place of grains, and once on grains.
 #include "app/slide_case.hpp"
 
-#include <stdlib.h>
-
 #include "app/loading_table.hpp"
-#include "app/messages.hpp"
-#include "app/slide_case_text.hpp"
+#include "app/slide_program.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "record/gnuplot_table.hpp"
@@ -15,67 +12,6 @@ namespace flowslide {
 namespace {
 
 namespace fs = std::filesystem;
-
-class TestCase : public SlideCase {
- public:
-  TestCase() : SlideCase({"test_case", "A slide", "1", {"Fig. 12"}, {}}) {}
-
- protected:
-  std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const override {
-    if (metrics_fail) throw std::out_of_range("no column of that name");
-    return {{"distance", outcome.series.last("displacement"), "m", "sliding distance"},
-            {"peak", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress"},
-            {"mean_velocity", mean_over(outcome.measures.over_time, "velocity", 0.0, 1.0), "m/s", "mean velocity"},
-            {"nothing", std::nan(""), "1", "never there"},
-            {"profiles", static_cast<double>(outcome.profiles.columns.size()), "1", "columns of profiles"},
-            {"replicate", static_cast<double>(outcome.point.replicate), "1", "number of the replicate"}};
-  }
-  void compare(const Ensembles& slides, std::map<std::string, double>& metrics) const override {
-    metrics["slides"] = static_cast<double>(slides.size());
-  }
-  std::vector<std::string> abscissas() const override { return {"time", "displacement"}; }
-
- public:
-  bool metrics_fail = false;
-};
-
-class SlideProgram : public testing::Test {
- protected:
-  SlideProgram() {
-    ::setenv("FLOWSLIDE_CACHE", (scratch_.path() / "cache").c_str(), 1);
-    scratch_.write("case.toml", slide_case_text() + "[scale.quick]\n");
-    scratch_.write("claims.toml", R"([[claim]]
-id = "all_there"
-figure = "Fig. 12"
-sentence = "There are slides."
-metric = "slides"
-relation = ">"
-threshold = 0
-unit = "1"
-origin = "published"
-)");
-  }
-  ~SlideProgram() override { ::unsetenv("FLOWSLIDE_CACHE"); }
-
-  int run(std::vector<std::string> options) {
-    options.insert(options.end(), {"--output", output().string()});
-    std::vector<const char*> words{"test_case"};
-    for (const std::string& option : options) words.push_back(option.c_str());
-    TestCase the_case;
-    the_case.metrics_fail = metrics_fail_;
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int code = run_case(the_case, static_cast<int>(words.size()), words.data(), scratch_.path());
-    text_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return code;
-  }
-  fs::path output() const { return scratch_.path() / "out"; }
-
-  ScratchFolder scratch_;
-  std::string text_, error_;
-  bool metrics_fail_ = false;
-};
 
 TEST_F(SlideProgram, RunsEveryReplicateAndWritesBands) {
   ASSERT_EQ(run({}), 0) << error_;
@@ -140,7 +76,7 @@ TEST_F(SlideProgram, LeavesResultsOfAnotherRunOutOfTheBands) {
   ASSERT_EQ(run({"--point", "RD", "--set", "stop.end_time=0.1 s"}), 0) << error_;
   ASSERT_EQ(run({"--point", "RI"}), 0) << error_;
   EXPECT_EQ(run({"--point", "RI", "--check"}), 0) << error_;
-  EXPECT_CONTAINS(error_, "RD.h5 is the result of another run (stop.end_time = 0.1 there, 4.0 now); it is left out");
+  EXPECT_CONTAINS(error_, "RD.h5 is the result of another run (stop.end_time = \"0.1 s\" there, \"4.0 s\" now); it is left out");
   EXPECT_TRUE(fs::exists(output() / "RI_over_time.dat"));
   EXPECT_FALSE(fs::exists(output() / "RD_over_time.dat"));
 }
@@ -176,7 +112,7 @@ TEST_F(SlideProgram, TakesTheMeanDiameterFromTheSampleThatWasFound) {
   std::vector<std::string> options{"--engine", "native",
                                    "--point",  "RI",
                                    "--set",    "stop.end_time=2e-3 s",
-                                   "--set",    "rows.row_interval=1e-3",
+                                   "--set",    "rows.row_interval=1 ms",
                                    "--set",    "coupling.initial_velocity=0.1 m/s"};
   options.insert(options.end(), search.begin(), search.end());
   ASSERT_EQ(run(options), 0) << error_;
@@ -253,7 +189,7 @@ TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
     return std::pair(values_of({result}, "peak"), windows_over(result, "time").column("shear_stress").values);
   };
   for (const std::string engine : {"elastic", "native"})
-    EXPECT_EQ(metrics("1e-4", engine), metrics("0.04", engine)) << engine;
+    EXPECT_EQ(metrics("0.1 ms", engine), metrics("40 ms", engine)) << engine;
 }
 
 TEST_F(SlideProgram, MeasuresAnElementTestTheSameWhateverRowsAreKept) {
@@ -295,71 +231,6 @@ TEST_F(SlideProgram, KeepsItsParametersInTheResult) {
   EXPECT_EQ(parameter_of({result}, "hydraulic_conductivity"), 1e-3);
   EXPECT_EQ(parameter_of({result}, "amplitude"), 2000.0);
   EXPECT_EQ(parameter_of({result}, "time_step"), 1e-4);
-}
-
-TEST_F(SlideProgram, RunsUnderAnyLoading) {
-  const std::string table = scratch_.write("load.txt", "0 0\n0.1 3000\n").string();
-  for (const std::string loading :
-       {"{history = 'constant'}", "{history = 'rate', rate = '10 kPa/s'}", "{history = 'pulse'}"}) {
-    fs::remove_all(output());
-    EXPECT_EQ(run({"--set", "point.RD.loading=" + loading, "--set", "stop.end_time=0.05 s"}), 0) << loading << error_;
-  }
-  const auto file = scratch_.write("user.toml", "point.RD.loading = {history = 'table', file = '" + table + "'}\n");
-  fs::remove_all(output());
-  EXPECT_EQ(run({"--config", file.string(), "--set", "stop.end_time=0.05 s"}), 0) << error_;
-}
-
-TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
-  const std::string changed = "loading.amplitude = \"2000.0 Pa\", not \"3 kPa\"";
-  ASSERT_EQ(run({"--set", "loading.amplitude=2 kPa"}), 0) << error_;
-  EXPECT_CONTAINS(text_, "not evaluated  Fig. 12  all_there  > 0       2");  // measured, but not judged
-  EXPECT_CONTAINS(text_, "not the paper's settings: " + changed);
-  EXPECT_CONTAINS(content_of(output() / "claims.json"), "\"measured\": 2, \"met\": null");
-  EXPECT_EQ(content_of(output() / "changes.txt"), changed + "\n");
-  ASSERT_EQ(run({"--list", "--set", "loading.amplitude=2 kPa"}), 0);
-  EXPECT_CONTAINS(text_, "pulse of 2 kPa over 2 s");
-  EXPECT_CONTAINS(error_, "settings that are not those of the case: " + changed + "; its claims are not evaluated");
-  ASSERT_EQ(run({"--list", "--json", "--set", "loading.amplitude=2 kPa"}), 0);
-  EXPECT_CONTAINS(text_, "\"changed\": [\"loading.amplitude = \\\"2000.0 Pa\\\", not ");
-}
-
-TEST_F(SlideProgram, JudgesAStudyThatChoosesAnotherDraw) {
-  ASSERT_EQ(run({"--seed", "8", "--replicates", "1", "--set", "rows.most_rows=20"}), 0) << error_;
-  EXPECT_CONTAINS(text_, "met  Fig. 12");
-  EXPECT_FALSE(fs::exists(output() / "changes.txt"));
-}
-
-TEST_F(SlideProgram, RefusesNamesThatMeet) {
-  const auto refused = [&](const std::string& name) {
-    const auto file = scratch_.write("user.toml", "[point." + name + "]\nlike = 'RD'\n");
-    EXPECT_EQ(run({"--config", file.string()}), 2);
-    EXPECT_FALSE(fs::exists(output()));
-    return error_;
-  };
-  EXPECT_CONTAINS(refused("RD_r2"), "the name \"RD_r2\" is taken twice");
-  EXPECT_CONTAINS(refused("RD_over_time"), "the name \"RD_over_time\" is taken twice");
-  EXPECT_CONTAINS(refused("RI_profiles_band"), "a table of the figures");
-  EXPECT_CONTAINS(refused("claims"), "by the program");
-}
-
-TEST_F(SlideProgram, RefusesReplicatesThatAreOneSample) {
-  EXPECT_EQ(run({"--set", "sample.loose.seed_offsets=[5, 6, 5]"}), 2);
-  EXPECT_CONTAINS(error_, "replicates 1 and 3 of the sample \"loose\" are the same");
-  EXPECT_FALSE(fs::exists(output()));
-}
-
-TEST_F(SlideProgram, RefusesAReplicateWhoseSearchCameToTheSampleOfAnother) {
-  const std::vector<std::string> options{"--engine", "native", "--point", "RD_r2", "--set", "stop.end_time=2e-3 s"};
-  ASSERT_EQ(run(options), 0) << error_;
-  Result other = read_result(output() / "RD_r2.h5");
-  EXPECT_TRUE(other.provenance.sample.starts_with("loose ")) << other.provenance.sample;
-  fs::remove(output() / "RD_r2.h5");
-  other.provenance.replicate = 0;
-  other.provenance.point = "RI";
-  write_result(output() / "RI.h5", other);
-  EXPECT_EQ(run(options), 2);
-  EXPECT_CONTAINS(error_, "RI and RD_r2 are no replicates: they have the same sample \"loose\"");
-  EXPECT_FALSE(fs::exists(output() / "RD_r2.h5"));
 }
 
 TEST_F(SlideProgram, StartsGrainsLinear) {

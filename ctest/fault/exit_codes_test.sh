@@ -29,6 +29,10 @@ loose_void_ratio = 1.2
 compaction_rate = "2 1/s"
 servo_rates = ["0.2 1/s", "0.1 1/s", "0.05 1/s"]
 servo_interval = 30
+mixing = "0 m/s"
+drag_reference = "rest"
+drag_stages = [1, 2, 3, 4]
+allow_uneven = true
 stress_tolerance = 5e-3
 kinetic_tolerance = 1e-8
 [sample.loose]
