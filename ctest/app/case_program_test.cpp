@@ -62,8 +62,8 @@ class Tiny : public Case {
     return {{"a", {"1"}, "the \"first\"", 61.2, "loose"}, {"b", {"1", "12"}, "the second", 2.0, "loose"}};
   }
   void print_plan(const Point& point, std::ostream& out) const override {
-    int ranks = 0, one = 1;  // engines are made by all ranks together
-    ensure_mpi();
+    int ranks = 0, one = 1;
+    ensure_mpi();  // engines are made by all ranks together
     MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     out << "plan of " << point.name << " on " << ranks << "\n";
   }
@@ -104,7 +104,6 @@ struct Outcome {
 class CaseProgramTest : public testing::Test {
  protected:
   CaseProgramTest() {
-    ensure_mpi();
     fs::create_directory(case_folder());
     scratch_.write("case/case.toml", case_text);
     scratch_.write("case/claims.toml", claims_text);
