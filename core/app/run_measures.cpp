@@ -86,11 +86,13 @@ void ExchangeRecord::take(const Slide& slide) {
   }
   take_peaks(state.time, state.strain.shear, state.stress, number);
   over_time.add(state.time, std::array{state.velocity, state.stress.shear, state.stress.normal});
+  over_displacement.add(state.sliding.displacement, std::array{state.velocity});
+  if (taken > 1 && state.local_steps == strained_steps) return;
+  strained_steps = state.local_steps;
   const std::array at_strain{
       state.velocity, state.stress.shear, state.stress.normal, state.rate_asked, state.rate_applied, applied_number,
       number};
   over_strain.add(state.strain.shear, std::span(at_strain).first(over_strain.means.columns.size()));
-  over_displacement.add(state.sliding.displacement, std::array{state.velocity});
 }
 
 void ExchangeRecord::take_peaks(double time, double strain, const BasalStress& stress, double number) {

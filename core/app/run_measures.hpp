@@ -39,7 +39,9 @@ struct RunMeasures {
 /// Measures of a run that is there as rows, such as an element test, whose rows stand at fixed strains.
 RunMeasures measures_of_rows(const Series& rows);
 
-/// Gathers the measures of a slide. Kept and restored with the slide, it goes on bit for bit.
+/// Gathers the measures of a slide. Kept and restored with the slide, it goes on bit for bit. Means over time and over
+/// displacement take every global step. Means over strain take the steps in which the sample was sheared, joined by
+/// straight lines: the stress that eq. 18 holds in between lags behind the strain of the slope.
 struct ExchangeRecord {
   /// Grains and the time between two measurements of p for the inertial numbers, s. Without it there are none of those.
   explicit ExchangeRecord(const GrainScale& grains = {},
@@ -59,6 +61,7 @@ struct ExchangeRecord {
   StressPeak peak_to_2, peak_to_5;
   double lowest_normal_stress = 0.0;
   std::int64_t taken = 0;          ///< how often it was called
+  std::int64_t strained_steps = 0; ///< local steps of the sample when the means over strain took it last
   double largest_strain = 0.0;     ///< so far
   double largest_number = 0.0;     ///< of the slope so far
   double mean_stress = 0.0;        ///< p as last measured, Pa
@@ -83,6 +86,7 @@ void for_each_number_of(Record& record, Visit&& visit) {
   peak("peak_to_5", record.peak_to_5);
   visit("lowest_normal_stress", record.lowest_normal_stress);
   visit("taken", record.taken);
+  visit("strained_steps", record.strained_steps);
   visit("largest_strain", record.largest_strain);
   visit("largest_number", record.largest_number);
   visit("mean_stress", record.mean_stress);

@@ -15,9 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The result last: a point is complete with that.
-constexpr std::array copied_ends{".dat", "_profiles.dat", OutputFolder::result_end};
-
 std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std::string& point) {
   std::optional<Checkpoint> last;
   try {
@@ -43,8 +40,10 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
   copy.remove_point(point);
   const FoundResult found = find_result(output.file(point + OutputFolder::result_end), identity);
   if (found.standing == Standing::complete) {
-    for (const char* end : copied_ends)
-      if (fs::exists(output.file(point + end))) fs::copy_file(output.file(point + end), copy.file(point + end));
+    // The result last: a point is complete with it.
+    for (auto end = OutputFolder::point_ends.rbegin(); end != OutputFolder::point_ends.rend(); ++end)
+      if (fs::exists(output.file(point + *end)))
+        fs::copy(output.file(point + *end), copy.file(point + *end), fs::copy_options::recursive);
     said += fmt::format("{}: complete\n", point);
     return true;
   }
