@@ -53,7 +53,7 @@ class Study {
       : case_(of), dice_(dice), room_(std::move(room)), output_(room_ / "out put") {
     fs::create_directories(room_);
     engine_ = dice_.one_of(std::vector<std::string>{"elastic", "critical_state"});
-    if (dice_.one_in(12)) return;  // the whole case
+    if (dice_.one_in(20)) return;  // the whole case
     for (std::size_t i = 0, count = 1 + dice_.below(2); i < count; ++i) chosen_.insert(dice_.one_of(case_.points));
   }
 
