@@ -87,6 +87,31 @@ TEST(ExchangeRecord, HasTheWindowsThatFineRowsHave) {
   EXPECT_EQ(gathered.peak_to_5.stress, of_rows.peak_to_5.stress);
 }
 
+/// Of an elastic sample tau = tau_0 + G gamma, whatever portions its strain comes in: the stress that the slope holds in
+/// between would lag by some hundred Pa here.
+TEST(ExchangeRecord, HasTheLineOfAnElasticSampleHoweverStrainIsAccumulated) {
+  constexpr double modulus = 0.5e6, until = 4e-3;  // Pa, strain
+  ElasticProperties properties;
+  properties.shear_modulus = modulus;
+  properties.viscosity = 0.0;
+  properties.shear_stress = initial_shear_stress({});
+  properties.normal_stress = initial_normal_stress({});
+  ElasticSample sample(properties);
+  SlideSettings settings = pulsed();
+  settings.passing = {CarryRemainder{1000}, 1e-5, 100000};
+  Slide slide(settings, sample);
+  SlideRecord record{.spacing = {.interval = 1.0}};
+  run_slide(slide, {.end_time = 0.6, .end_shear_strain = 2.0 * until}, record);
+  const Series& over_strain = record.exchanges.measures().over_strain;
+  ASSERT_GT(end_of(over_strain), until);
+  // Less than a local step of strain is carried over: at rates below 1 1/s that is dt_L times 1 1/s.
+  const double owed = modulus * settings.passing.time_step * 1.0;
+  for (double from = 1e-3; from < until; from += 5e-4)
+    EXPECT_NEAR(mean_over(over_strain, "shear_stress", from, from + 5e-4),
+                properties.shear_stress + modulus * (from + 2.5e-4), owed)
+        << from;
+}
+
 TEST(ExchangeRecord, HasInertialNumbersOfThoseWhoAskForThem) {
   EXPECT_FALSE(slide({.interval = 0.1}, INFINITY).exchanges.measures().over_strain.has("global_inertial_number"));
   const RunMeasures measures = slide({.interval = 0.1}).exchanges.measures();
