@@ -83,6 +83,6 @@ set style fill transparent solid 0.22 noborder   # of bands
 # A study with settings that are not those of the case says so above each figure.
 if (readable(folder."/changes.txt")) {
   changed = system("paste -sd ';' ".shell_quoted(folder."/changes.txt")." | sed 's/;/; /g'")
-  set label 100 "changed: ".(strlen(changed) > 150 ? changed[1:150]." ..." : changed) at screen 0.005, screen 0.985 \
+  set label 100 "changed: ".(strlen(changed) > 100 ? changed[1:100]." ... (changes.txt)" : changed) at screen 0.005, screen 0.985 \
     noenhanced font ",6" textcolor rgb grey
 }

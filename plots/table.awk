@@ -43,7 +43,8 @@ END {
     }
   }
   if (ask == "rows") print rows + 0
-  if (ask == "first" && rows > 0) print first
-  if (ask == "mean" && rows > 0) printf "%.17g\n", sum / rows
+  # Written with a point: real() of gnuplot 5.4 refuses "4e-05".
+  if (ask == "first" && rows > 0) { if (first ~ /^[-+]?[.0-9]/) printf "%.16e\n", first; else print first }
+  if (ask == "mean" && rows > 0) printf "%.16e\n", sum / rows
   if (ask == "label") printf "%s", label == "" ? wanted : label
 }
