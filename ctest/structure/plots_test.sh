@@ -49,7 +49,7 @@ draw 'RD.dat' 'print mean_of("RD.dat", 2), " ", label_of("RD"), " ", label_of("R
 expect 0 '5.0   {/:Italic A} = 3 kPa   RI'
 table bounds.dat '4e-05 nan'
 draw 'bounds.dat' 'print first_of("bounds.dat", 1) * 1e5, " ", first_of("bounds.dat", 2)'
-expect 0 '4.0 NaN'
+expect 0 '4.0   NaN'
 draw 'RI.dat' 'print "drawn"'
 expect 2 'no table'
 draw 'RD.dat' 'eval columns("", "RD.dat", "time velocity"); print "drawn"'
