@@ -10,13 +10,13 @@
 #include "app/element_test_model.hpp"
 #include "app/ensemble.hpp"
 #include "app/error.hpp"
+#include "app/legend.hpp"
 #include "app/plan.hpp"
 #include "app/ranks.hpp"
 #include "app/replicates.hpp"
 #include "app/tables.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
-#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"
 #include "record/result_file.hpp"
@@ -207,18 +207,18 @@ std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path
 }
 
 void UndrainedCase::finish(const OutputFolder& output) const {
-  std::string legend;
+  Legend legend;
   for (const Curve& curve : curves_) {
     const std::string& name = curve.point.name;
     if (!output.has_result(name)) continue;
     for (const Metric& metric : read_result(output.file(name + ".h5")).metrics) {
       if (name.starts_with("e0") && metric.name == "initial_void_ratio")
-        legend += fmt::format("{}\te_0 = {:.3f}\n", name, metric.value);
+        legend.add(name, fmt::format("e_0 = {:.3f}", metric.value));
       if (name.starts_with("I_") && metric.name == "initial_inertial_number")
-        legend += fmt::format("{}\tI = {:.0e}\n", name, metric.value);
+        legend.add(name, fmt::format("I = {:.0e}", metric.value));
     }
   }
-  write_atomically(output.file("legend.dat"), legend);
+  legend.write(output);
 }
 
 }  // namespace flowslide

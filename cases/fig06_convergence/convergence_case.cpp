@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "convergence_case.hpp"
 
+#include "app/legend.hpp"
 #include "app/runout.hpp"
 #include "convergence.hpp"
 #include "error_table.hpp"
@@ -32,10 +33,10 @@ std::vector<std::string> ConvergenceCase::tables() const {
 void ConvergenceCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const std::vector<std::string> present = points_in(output);
-  std::string legend;
+  Legend legend;
   for (const auto& [name, ensemble] : results_in(output.path(), present))
-    if (are_slides(ensemble)) legend += name + "\t" + label_of_quantity(parameter_of(ensemble, "time_step")) + "\n";
-  write_atomically(output.file("legend.dat"), legend);
+    if (are_slides(ensemble)) legend.add(name, label_of_quantity(parameter_of(ensemble, "time_step")));
+  legend.write(output);
   const std::string table = error_table(results_in(output.path(), present), metrics(output.path(), present));
   if (!table.empty()) write_atomically(output.file("table.md"), table);
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/legend.hpp"
 #include "comparison.hpp"
 #include "profile_metrics.hpp"
 #include "record/gnuplot_table.hpp"
@@ -68,11 +69,11 @@ void TriggerCase::finish(const OutputFolder& output) const {
   write_atomically(output.file("steady_friction.dat"), steady);
   write_atomically(output.file("peaks.dat"), peaks);
 
-  std::string legend;
+  Legend legend;
   for (const SlidePoint& slide : slides())
     for (std::size_t i = 0; i < slide.profiles.strains.size() && slide.replicate == 0; ++i)
-      legend += fmt::format("profile_{}\tγ = {:.3g} %\n", i + 1, 100.0 * slide.profiles.strains[i]);
-  write_atomically(output.file("legend.dat"), legend);
+      legend.add(fmt::format("profile_{}", i + 1), fmt::format("γ = {:.3g} %", 100.0 * slide.profiles.strains[i]));
+  legend.write(output);
 }
 
 }  // namespace flowslide

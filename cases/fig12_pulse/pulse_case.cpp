@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "app/legend.hpp"
 #include "comparison.hpp"
-#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "runout_metrics.hpp"
 
@@ -33,14 +33,14 @@ std::vector<std::string> PulseCase::tables() const {
 
 void PulseCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  std::string legend;
+  Legend legend;
   for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
     if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_windows.dat"), {{{"slide", name}}, band_over(ensemble, "displacement", windows)});
     if (const double amplitude = parameter_of(ensemble, "amplitude"); std::isfinite(amplitude))
-      legend += fmt::format("{}\t{{/:Italic A}} = {:.3g} kPa\n", name, 1e-3 * amplitude);
+      legend.add(name, fmt::format("{{/:Italic A}} = {:.3g} kPa", 1e-3 * amplitude));
   }
-  write_atomically(output.file("legend.dat"), legend);
+  legend.write(output);
 }
 
 void PulseCase::compare(const Ensembles& slides, std::map<std::string, double>& metrics) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "conductivity_case.hpp"
 
+#include "app/legend.hpp"
 #include "app/runout.hpp"
 #include "critical_conductivity.hpp"
-#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 
 namespace flowslide {
@@ -31,12 +31,12 @@ std::vector<std::string> ConductivityCase::tables() const {
 void ConductivityCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
-  std::string legend;
+  Legend legend;
   for (const auto& [name, ensemble] : slides) {
     if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_coarse.dat"),
                 {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
-    legend += name + "\t" + label_of_quantity(parameter_of(ensemble, "hydraulic_conductivity")) + "\n";
+    legend.add(name, label_of_quantity(parameter_of(ensemble, "hydraulic_conductivity")));
   }
   const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
   const auto over_k = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
@@ -44,7 +44,7 @@ void ConductivityCase::finish(const OutputFolder& output) const {
                                     {"largest_velocity", "runout", "sliding_stopped"});
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
   write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
-  write_atomically(output.file("legend.dat"), legend);
+  legend.write(output);
 }
 
 }  // namespace flowslide

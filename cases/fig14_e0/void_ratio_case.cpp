@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "app/legend.hpp"
 #include "app/runout.hpp"
 #include "mobility.hpp"
-#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 
 namespace flowslide {
@@ -46,12 +46,12 @@ std::vector<std::string> VoidRatioCase::tables() const {
 void VoidRatioCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
-  std::string legend;
+  Legend legend;
   for (const auto& [name, ensemble] : slides) {
     if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_coarse.dat"),
                 {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
-    legend += fmt::format("{}\t{:.3f}\n", name, parameter_of(ensemble, "paper_void_ratio"));
+    legend.add(name, fmt::format("{:.3f}", parameter_of(ensemble, "paper_void_ratio")));
   }
   const Column axis{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}};
   const std::vector<std::string> metrics{"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress",
@@ -59,7 +59,7 @@ void VoidRatioCase::finish(const OutputFolder& output) const {
   const auto over_void_ratio = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
   const Series sweep = sweep_series(axis, {{"RD", over_void_ratio("RD_")}, {"RI", over_void_ratio("RI_")}}, metrics);
   write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
-  write_atomically(output.file("legend.dat"), legend);
+  legend.write(output);
 }
 
 }  // namespace flowslide
