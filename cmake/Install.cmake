@@ -4,7 +4,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(installed flowslide_options)
-foreach(folder slope grains dem/liggghts dem/native dem sample coupling record app)
+foreach(folder slope grains configuration process claims dem/liggghts dem/native dem sample coupling record
+               sample_library experiment input run program)
   string(REPLACE "/" "_" name ${folder})
   set_target_properties(flowslide_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND installed flowslide_${name})

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/error.hpp"
-#include "app/sample_health.hpp"
+#include "program/run_main.hpp"
 #include "record/atomic_file.hpp"
 #include "record/result_file.hpp"
+#include "sample_library/sample_health.hpp"
 
 namespace flowslide {
 namespace {

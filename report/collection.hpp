@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/claims.hpp"
+#include "claims/claims.hpp"
 #include "record/provenance.hpp"
 
 namespace flowslide {
@@ -22,7 +22,7 @@ struct Run {
   std::filesystem::path file;
   Provenance provenance = {};
   std::string configuration_hash = {};
-  std::string sample = {};         ///< health of its sample, see health_line of app/sample_health.hpp
+  std::string sample = {};         ///< health of its sample, see health_line of sample_library/sample_health.hpp
   std::string problem = {};        ///< why the file could not be read; empty when all else is valid
 };
 
@@ -38,7 +38,7 @@ struct CaseResults {
   bool empty() const { return verdicts.empty() && tables.empty() && runs.empty(); }
 };
 
-/// The verdicts in a claims.json that json() of app/claims.hpp wrote. Throws std::invalid_argument for any other text.
+/// The verdicts in a claims.json that json() of claims/claims.hpp wrote. Throws std::invalid_argument for any other text.
 std::vector<Verdict> verdicts_from_json(std::string_view text);
 
 /// Every case of `project` (its cases/ and plots/figures.txt) with its results in `results`/<case>/<scale>: those with

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/error.hpp"
+#include "program/run_main.hpp"
 #include "record/atomic_file.hpp"
 #include "report/page.hpp"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "app/cost.hpp"
-#include "app/progress.hpp"
+#include "process/progress.hpp"
 #include "report/markup.hpp"
+#include "run/cost.hpp"
 
 namespace flowslide {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/checkpoint.hpp"
-#include "app/output_folder.hpp"
+#include "run/checkpoint.hpp"
+#include "run/output_folder.hpp"
 
 namespace flowslide {
 

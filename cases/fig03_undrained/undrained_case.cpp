@@ -7,19 +7,19 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/element_test_model.hpp"
-#include "app/ensemble.hpp"
-#include "app/error.hpp"
-#include "app/legend.hpp"
-#include "app/plan.hpp"
-#include "app/ranks.hpp"
-#include "app/replicates.hpp"
-#include "app/tables.hpp"
+#include "configuration/tables.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
+#include "experiment/ensemble.hpp"
+#include "input/read_shear_test.hpp"
+#include "process/ranks.hpp"
+#include "program/plan.hpp"
+#include "program/replicates.hpp"
+#include "program/run_main.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"
 #include "record/result_file.hpp"
+#include "run/legend.hpp"
 
 namespace flowslide {
 CaseDescription UndrainedCase::description() const {

@@ -3,12 +3,12 @@
 #include <functional>
 #include <optional>
 
-#include "app/case_program.hpp"
-#include "app/element_test.hpp"
-#include "app/models.hpp"
-#include "app/sample_cache.hpp"
+#include "experiment/shear_test.hpp"
+#include "input/read_samples.hpp"
 #include "pictures.hpp"
+#include "program/case_program.hpp"
 #include "record/result_file.hpp"
+#include "sample_library/sample_cache.hpp"
 
 namespace flowslide {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ensemble.hpp"
-#include "app/run_measures.hpp"
+#include "experiment/ensemble.hpp"
+#include "experiment/run_measures.hpp"
 
 namespace flowslide {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "convergence_case.hpp"
 
-#include "app/legend.hpp"
-#include "app/runout.hpp"
 #include "convergence.hpp"
 #include "error_table.hpp"
+#include "program/runout.hpp"
 #include "record/atomic_file.hpp"
+#include "run/legend.hpp"
 
 namespace flowslide {
 

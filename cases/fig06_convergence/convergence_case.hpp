@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include "app/slide_case.hpp"
+#include "program/slide_case.hpp"
 
 namespace flowslide {
 

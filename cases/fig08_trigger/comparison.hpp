@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/ensemble.hpp"
+#include "experiment/ensemble.hpp"
 
 namespace flowslide {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/profile_record.hpp"
+#include "experiment/profile_record.hpp"
 
 namespace flowslide {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "app/legend.hpp"
 #include "comparison.hpp"
 #include "profile_metrics.hpp"
 #include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
 #include "trigger_metrics.hpp"
 
 namespace flowslide {

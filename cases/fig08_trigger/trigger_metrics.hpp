@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "app/run_measures.hpp"
+#include "experiment/run_measures.hpp"
 
 namespace flowslide {
 

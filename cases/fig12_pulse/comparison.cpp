@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/runout.hpp"
-#include "app/windows.hpp"
+#include "experiment/windows.hpp"
+#include "program/runout.hpp"
 
 namespace flowslide {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "app/legend.hpp"
 #include "comparison.hpp"
 #include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
 #include "runout_metrics.hpp"
 
 namespace flowslide {

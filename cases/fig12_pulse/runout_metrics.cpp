@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "app/runout.hpp"
+#include "program/runout.hpp"
 
 namespace flowslide {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "app/slide_case.hpp"
+#include "program/slide_case.hpp"
 
 namespace flowslide {
 

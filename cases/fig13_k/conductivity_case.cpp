@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "conductivity_case.hpp"
 
-#include "app/legend.hpp"
-#include "app/runout.hpp"
 #include "critical_conductivity.hpp"
+#include "program/runout.hpp"
 #include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
 
 namespace flowslide {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/runout.hpp"
+#include "program/runout.hpp"
 
 namespace flowslide {
 

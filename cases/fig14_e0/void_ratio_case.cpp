@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "app/legend.hpp"
-#include "app/runout.hpp"
 #include "mobility.hpp"
+#include "program/runout.hpp"
 #include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
 
 namespace flowslide {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/slide_case.hpp"
+#include "program/slide_case.hpp"
 
 namespace flowslide {
 

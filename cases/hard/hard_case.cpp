@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "app/ranks.hpp"
 #include "dem/make_engine.hpp"
+#include "process/ranks.hpp"
 #include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/result_file.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "workshop.hpp"
 
-#include "app/coupling_models.hpp"
-#include "app/sample_cache.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
+#include "input/read_coupling.hpp"
+#include "sample_library/sample_cache.hpp"
 
 namespace flowslide {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "app/case_program.hpp"
-#include "app/configuration.hpp"
-#include "app/models.hpp"
+#include "configuration/configuration.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
+#include "input/read_samples.hpp"
+#include "program/case_program.hpp"
 #include "sample/preparation.hpp"
 
 namespace flowslide {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ensemble.hpp"
+#include "experiment/ensemble.hpp"
 #include "friction_law.hpp"
 
 namespace flowslide {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "answers.hpp"
-#include "app/runout.hpp"
 #include "point_metrics.hpp"
+#include "program/runout.hpp"
 #include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "app/ensemble.hpp"
-#include "app/profile_record.hpp"
+#include "experiment/ensemble.hpp"
+#include "experiment/profile_record.hpp"
 #include "grains/measures.hpp"
 
 namespace flowslide {

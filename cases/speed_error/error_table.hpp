@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ensemble.hpp"
+#include "experiment/ensemble.hpp"
 #include "scene.hpp"
 
 namespace flowslide {

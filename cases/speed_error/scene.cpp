@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/runout.hpp"
+#include "program/runout.hpp"
 
 namespace flowslide {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/slide_case.hpp"
+#include "program/slide_case.hpp"
 
 namespace flowslide {
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "app/sample_cache.hpp"
 #include "dem/liggghts/instance.hpp"
 #include "dem/make_engine.hpp"
 #include "sample/dem_sample.hpp"
+#include "sample_library/sample_cache.hpp"
 
 namespace flowslide {
 namespace {

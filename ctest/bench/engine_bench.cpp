@@ -14,11 +14,11 @@
 #include <memory>
 #include <optional>
 
-#include "app/error.hpp"
 #include "bench_states.hpp"
 #include "bench_table.hpp"
 #include "dem/liggghts/instance.hpp"
 #include "dem/make_engine.hpp"
+#include "program/run_main.hpp"
 #include "sample/dem_sample.hpp"
 
 namespace {

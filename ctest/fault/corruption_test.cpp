@@ -2,12 +2,12 @@
 // Bytes altered at 200 random places of each kind of file: found every time, and no number is read from them.
 #include <random>
 
-#include "app/example_checkpoint.hpp"
-#include "app/run_identity.hpp"
 #include "record/checkpoint_store.hpp"
 #include "record/damage.hpp"
 #include "record/sample_store.hpp"
 #include "restart/program.hpp"
+#include "run/example_checkpoint.hpp"
+#include "run/run_identity.hpp"
 
 namespace flowslide {
 namespace {

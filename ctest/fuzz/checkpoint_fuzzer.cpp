@@ -12,8 +12,8 @@
 #include <fstream>
 #include <vector>
 
-#include "app/checkpoint.hpp"
 #include "record/checkpoint_store.hpp"
+#include "run/checkpoint.hpp"
 
 namespace {
 

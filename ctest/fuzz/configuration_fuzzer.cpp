@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/configuration.hpp"
-#include "app/error.hpp"
+#include "configuration/configuration.hpp"
+#include "program/run_main.hpp"
 
 namespace {
 

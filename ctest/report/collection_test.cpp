@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/error.hpp"
+#include "program/run_main.hpp"
 #include "project.hpp"
 
 namespace flowslide {

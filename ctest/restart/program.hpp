@@ -5,11 +5,11 @@
 #include <string>
 #include <thread>
 
-#include "app/messages.hpp"
-#include "app/slide_case_text.hpp"
+#include "program/slide_case_text.hpp"
 #include "record/checkpoint_store.hpp"
 #include "record/result_file.hpp"
 #include "record/same_bits.hpp"
+#include "support/messages.hpp"
 #include "support/process.hpp"
 
 namespace flowslide {

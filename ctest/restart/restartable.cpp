@@ -3,7 +3,7 @@
 // It reads $RESTARTABLE_CASE/case.toml.
 #include <cstdlib>
 
-#include "app/slide_case.hpp"
+#include "program/slide_case.hpp"
 
 namespace flowslide {
 namespace {

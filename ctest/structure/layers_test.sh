@@ -5,6 +5,7 @@ set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
 
 # What a folder may include besides itself. `coupling` knows Slope and Sample, no engine (README, "Architecture").
+rooms='configuration process claims sample_library experiment input run program'   # they were one folder, and still include each other
 declare -A below=(
   [slope]=''
   [grains]=''
@@ -12,8 +13,15 @@ declare -A below=(
   [sample]='dem grains'
   [record]='sample dem grains'
   [coupling]='slope sample grains'
-  [app]='coupling record sample dem grains slope'
-  [cases]='app coupling record sample dem grains slope'
+  [configuration]="$rooms coupling record sample dem grains slope"
+  [process]="$rooms coupling record sample dem grains slope"
+  [claims]="$rooms coupling record sample dem grains slope"
+  [sample_library]="$rooms coupling record sample dem grains slope"
+  [experiment]="$rooms coupling record sample dem grains slope"
+  [input]="$rooms coupling record sample dem grains slope"
+  [run]="$rooms coupling record sample dem grains slope"
+  [program]="$rooms coupling record sample dem grains slope"
+  [cases]="$rooms coupling record sample dem grains slope"
 )
 
 wrong=0 files=0

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "app/claims.hpp"
-#include "app/element_test.hpp"
+#include "claims/claims.hpp"
+#include "experiment/shear_test.hpp"
 
 namespace flowslide {
 namespace {

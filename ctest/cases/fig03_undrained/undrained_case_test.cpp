@@ -6,11 +6,11 @@
 
 #include <cstdlib>
 
-#include "app/messages.hpp"
-#include "app/run_identity.hpp"
-#include "app/sample_cache.hpp"
 #include "dem/make_engine.hpp"
 #include "record/result_file.hpp"
+#include "run/run_identity.hpp"
+#include "sample_library/sample_cache.hpp"
+#include "support/messages.hpp"
 
 namespace flowslide {
 namespace {

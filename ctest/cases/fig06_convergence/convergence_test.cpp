@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "app/element_test.hpp"
-#include "app/slide_run.hpp"
+#include "experiment/shear_test.hpp"
+#include "experiment/slide_run.hpp"
 
 namespace flowslide {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "app/run_measures.hpp"
-#include "app/slide_run.hpp"
+#include "experiment/run_measures.hpp"
+#include "experiment/slide_run.hpp"
 
 namespace flowslide {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/run_measures.hpp"
-#include "app/slide_run.hpp"
+#include "experiment/run_measures.hpp"
+#include "experiment/slide_run.hpp"
 
 namespace flowslide {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/slide_run.hpp"
+#include "experiment/slide_run.hpp"
 
 namespace flowslide {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "workshop.hpp"
 
-#include "app/error.hpp"
-#include "app/messages.hpp"
+#include "program/run_main.hpp"
+#include "support/messages.hpp"
 
 namespace flowslide {
 namespace {

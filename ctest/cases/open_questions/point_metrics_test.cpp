@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "app/element_test.hpp"
-#include "app/slide_run.hpp"
+#include "experiment/shear_test.hpp"
+#include "experiment/slide_run.hpp"
 #include "grains/measures.hpp"
 
 namespace flowslide {

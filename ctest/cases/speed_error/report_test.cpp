@@ -6,12 +6,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/messages.hpp"
 #include "record/hdf5.hpp"
 #include "record/sealed_file.hpp"
 #include "record/series_group.hpp"
 #include "record/temporary_folder.hpp"
 #include "runs.hpp"
+#include "support/messages.hpp"
 
 namespace flowslide {
 namespace {

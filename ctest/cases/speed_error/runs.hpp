@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Replicates made up for tests.
 #pragma once
-#include "app/ensemble.hpp"
+#include "experiment/ensemble.hpp"
 
 namespace flowslide {
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "claims/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "configuration/configuration.hpp"
+#include "program/run_main.hpp"
+
+namespace flowslide {
+namespace {
+
+bool is_name(const std::string& text) {
+  const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  return !text.empty() && std::all_of(text.begin(), text.end(), allowed);
+}
+
+void read_thresholds(const Configuration& configuration, const std::string& key, Claim& claim) {
+  const std::vector<double> thresholds = configuration.numbers(key);
+  const std::size_t wanted = claim.relation == Relation::between ? 2 : 1;
+  if (thresholds.size() != wanted) {
+    configuration.refuse(key,
+                         fmt::format("has {} value(s), but the relation \"{}\" needs {}", thresholds.size(),
+                                     symbol_of(claim.relation), wanted),
+                         wanted == 2 ? "write [lower, upper]" : "write one number");
+  }
+  claim.threshold = thresholds.front();
+  claim.upper_threshold = thresholds.back();
+  if (claim.threshold > claim.upper_threshold)
+    configuration.refuse(key, "has its upper bound below its lower one", "write [lower, upper]");
+}
+
+Claim read_claim(const Configuration& configuration, const std::string& prefix) {
+  Claim claim;
+  claim.id = configuration.text(prefix + "id");
+  if (!is_name(claim.id)) {
+    configuration.refuse(prefix + "id", "is not a name, but it names a test",
+                         "use letters, digits, \"_\" and \"-\" only");
+  }
+  claim.figure = configuration.text(prefix + "figure");
+  claim.sentence = configuration.text(prefix + "sentence");
+  claim.metric = configuration.text(prefix + "metric");
+  claim.relation = configuration.choice<Relation>(prefix + "relation", {{"<", Relation::less},
+                                                                        {"<=", Relation::at_most},
+                                                                        {">", Relation::greater},
+                                                                        {">=", Relation::at_least},
+                                                                        {"between", Relation::between}});
+  read_thresholds(configuration, prefix + "threshold", claim);
+  claim.unit = configuration.text(prefix + "unit");
+  claim.origin = configuration.text(prefix + "origin");
+  if (configuration.has(prefix + "scales")) claim.scales = configuration.texts(prefix + "scales", {"quick", "paper"});
+  return claim;
+}
+
+bool holds(const Claim& claim, double measured) {
+  switch (claim.relation) {
+    case Relation::less:
+      return measured < claim.threshold;
+    case Relation::at_most:
+      return measured <= claim.threshold;
+    case Relation::greater:
+      return measured > claim.threshold;
+    case Relation::at_least:
+      return measured >= claim.threshold;
+    case Relation::between:
+      return measured >= claim.threshold && measured <= claim.upper_threshold;
+  }
+  return false;
+}
+
+Verdict judge(const Claim& claim, const std::map<std::string, double>& metrics) {
+  Verdict verdict{.claim = claim, .reason = {}};
+  const auto found = metrics.find(claim.metric);
+  if (found == metrics.end()) {
+    verdict.reason = fmt::format("the metric \"{}\" was not measured", claim.metric);
+    return verdict;
+  }
+  verdict.measured = found->second;
+  if (!std::isfinite(verdict.measured)) {
+    verdict.reason = fmt::format("the metric \"{}\" is {}, not a finite number", claim.metric, verdict.measured);
+    return verdict;
+  }
+  const bool met = holds(claim, verdict.measured);
+  verdict.ruling = met ? Ruling::met : Ruling::not_met;
+  verdict.reason = fmt::format("{:.4g} is {}{}", verdict.measured, met ? "" : "not ", claim.expectation());
+  return verdict;
+}
+
+}  // namespace
+
+std::string_view symbol_of(Relation relation) {
+  switch (relation) {
+    case Relation::less:
+      return "<";
+    case Relation::at_most:
+      return "<=";
+    case Relation::greater:
+      return ">";
+    case Relation::at_least:
+      return ">=";
+    case Relation::between:
+      break;
+  }
+  return "between";
+}
+
+std::string Claim::expectation() const {
+  const std::string suffix = unit == "1" ? "" : " " + unit;
+  if (relation == Relation::between) return fmt::format("between {} and {}{}", threshold, upper_threshold, suffix);
+  return fmt::format("{} {}{}", symbol_of(relation), threshold, suffix);
+}
+
+std::vector<Claim> load_claims(const std::filesystem::path& file) {
+  return load_claims(Configuration(Layers{.case_file = file, .scale = {}, .user_file = {}, .overrides = {}}));
+}
+
+std::vector<Claim> load_claims(const Configuration& configuration) {
+  std::vector<Claim> claims;
+  std::set<std::string> ids;
+  for (const std::string& position : configuration.subtables("claim")) {
+    const std::string prefix = "claim." + position + ".";
+    claims.push_back(read_claim(configuration, prefix));
+    if (!ids.insert(claims.back().id).second)
+      configuration.refuse(prefix + "id", "stands there twice", "give each claim an id of its own");
+  }
+  configuration.reject_unknown();
+  return claims;
+}
+
+std::vector<Claim> claims_at(const std::vector<Claim>& claims, std::string_view scale) {
+  std::vector<Claim> chosen;
+  for (const Claim& claim : claims) {
+    const bool everywhere = claim.scales.empty();
+    if (everywhere || std::find(claim.scales.begin(), claim.scales.end(), scale) != claim.scales.end())
+      chosen.push_back(claim);
+  }
+  return chosen;
+}
+
+std::vector<Verdict> evaluate(const std::vector<Claim>& claims, const std::map<std::string, double>& metrics) {
+  std::vector<Verdict> verdicts;
+  verdicts.reserve(claims.size());
+  for (const Claim& claim : claims) verdicts.push_back(judge(claim, metrics));
+  return verdicts;
+}
+
+std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::string& reason) {
+  for (Verdict& verdict : verdicts) {
+    verdict.ruling = Ruling::not_evaluated;
+    verdict.reason = reason;
+  }
+  return verdicts;
+}
+
+bool is_one_not_met(const std::vector<Verdict>& verdicts) {
+  return std::any_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.ruling == Ruling::not_met; });
+}
+
+std::string_view name_of(Ruling ruling) {
+  return ruling == Ruling::met ? "met" : ruling == Ruling::not_met ? "not met" : "not evaluated";
+}
+
+}  // namespace flowslide

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "configuration/configuration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "configuration/canonical.hpp"
+#include "configuration/entry_reader.hpp"
+#include "configuration/nearest.hpp"
+#include "configuration/symbols.hpp"
+#include "configuration/value_check.hpp"
+#include "program/run_main.hpp"
+#include "record/hash.hpp"
+
+namespace flowslide {
+Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
+  std::vector<std::string> scales;
+  lay_over(layers.case_file, layers.scale, scales);
+  if (!layers.scale.empty() && std::find(scales.begin(), scales.end(), layers.scale) == scales.end()) {
+    throw ConfigurationError(
+        fmt::format("{}: there is no scale \"{}\" (there is {}); add a table [scale.{}] or choose "
+                    "another --scale",
+                    origin_, layers.scale, list_of(scales), layers.scale));
+  }
+  published_ = entries_;
+  if (layers.user_file) lay_over(*layers.user_file, layers.scale, scales);
+  for (const Override& item : layers.overrides) overlay(entries_, read_option(item.key, item.value, item.option));
+  index_entries();
+}
+
+Configuration Configuration::from_text(std::string_view toml, std::string origin) {
+  Configuration configuration;
+  configuration.entries_ = configuration.published_ = read_entries(toml, origin);
+  configuration.origin_ = std::move(origin);
+  configuration.index_entries();
+  return configuration;
+}
+
+void Configuration::index_entries() {
+  positions_.clear();
+  for (std::size_t i = 0; i < entries_.size(); ++i) positions_.emplace(entries_[i].key, i);
+}
+
+Configuration Configuration::overlaid(std::string_view toml, const std::string& origin) const {
+  Configuration configuration = *this;
+  overlay(configuration.entries_, read_entries(toml, origin));
+  configuration.index_entries();
+  return configuration;
+}
+
+void Configuration::lay_over(const std::filesystem::path& file, const std::string& scale,
+                             std::vector<std::string>& scales) {
+  std::vector<Entry> base = read_entries(file);
+  std::vector<Entry> all_scales = take_below(base, "scale");
+  overlay(entries_, base);
+  const bool first_file = scales.empty();
+  while (!all_scales.empty()) {
+    const Entry head = all_scales.front();
+    if (head.kind != Entry::Kind::table) {
+      throw ConfigurationError(fmt::format("{}: scale.{} is a value, but [scale] holds one table per scale only",
+                                           head.key_place.text(), head.key));
+    }
+    if (first_file) {
+      scales.push_back(head.key);
+    } else if (std::find(scales.begin(), scales.end(), head.key) == scales.end()) {
+      throw ConfigurationError(fmt::format("{}: there is no scale \"{}\" in {}; there is {}", head.key_place.text(),
+                                           head.key, origin_, list_of(scales)));
+    }
+    const std::vector<Entry> members = take_below(all_scales, head.key);
+    if (head.key == scale) {
+      overlay(entries_, members);
+    } else {
+      unselected_.insert(unselected_.end(), members.begin(), members.end());
+    }
+  }
+}
+
+const Entry* Configuration::find(std::string_view key) const {
+  const auto found = positions_.find(key);
+  return found == positions_.end() ? nullptr : &entries_[found->second];
+}
+
+const Entry& Configuration::require(std::string_view key, std::string_view wanted) const {
+  known_.emplace(key);
+  if (const Entry* entry = find(key)) return *entry;
+  std::string hint;
+  std::vector<std::string> unread;
+  for (const Entry& entry : entries_)
+    if (!is_known(entry.key)) unread.push_back(entry.key);
+  const std::string similar = nearest(key, unread);
+  if (!similar.empty() && edit_distance(key, similar) <= 3)
+    hint = fmt::format(" (is \"{}\" at {} a misspelling of it?)", similar, find(similar)->key_place.text());
+  const std::string table(key.substr(0, std::min(key.rfind('.'), key.size())));
+  const std::string where =
+      is_users_table(table) ? fmt::format("{}: [{}] lacks the key \"{}\"", find(table)->key_place.text(), table, key)
+                            : fmt::format("{}: the key \"{}\" is missing", origin_, key);
+  throw ConfigurationError(
+      fmt::format("{}: {} is needed; add it there or with --set {}=VALUE{}", where, wanted, key, hint));
+}
+
+bool Configuration::is_users_table(std::string_view table) const {
+  const Entry* entry = find(table);
+  return entry != nullptr && entry->kind == Entry::Kind::table && entry->key_place.origin != origin_;
+}
+
+bool Configuration::has(std::string_view key) const {
+  known_.emplace(key);
+  return find(key) != nullptr;
+}
+
+void Configuration::accept(std::string_view key) const { accepted_.emplace(key); }
+
+std::vector<std::string> Configuration::subtables(std::string_view key) const {
+  known_.emplace(key);
+  listed_.emplace(key);
+  const Entry* parent = find(key);
+  if (parent != nullptr && parent->kind == Entry::Kind::value)
+    refuse_value(key, parent->whole, "is a value, but tables are needed", fmt::format("write [{}.NAME]", key));
+  if (parent != nullptr && !parent->items.empty())
+    refuse_value(key, parent->whole, "is a list of values, but tables are needed", fmt::format("write [[{}]]", key));
+  std::vector<std::string> names;
+  for (const Entry& entry : entries_) {
+    if (!stands_below(entry.key, key)) continue;
+    const std::string name = entry.key.substr(key.size() + 1);
+    if (name.find('.') != std::string::npos) continue;
+    if (entry.kind != Entry::Kind::table) {
+      refuse_value(entry.key, entry.whole, fmt::format("is a value, but \"{}\" holds one table per name", key),
+                   fmt::format("write {}.NAME.{}", key, name));
+    }
+    known_.insert(entry.key);
+    names.push_back(name);
+  }
+  return names;
+}
+
+void Configuration::refuse(std::string_view key, std::string_view problem, std::string_view mend) const {
+  const Entry* entry = find(key);
+  if (entry == nullptr) throw ConfigurationError(fmt::format("{}: {} {}; {}", origin_, key, problem, mend));
+  refuse_value(key, entry->whole, problem, mend);
+}
+
+bool Configuration::is_known(const std::string& key) const {
+  if (known_.contains(key)) return true;
+  const auto covers = [&](const std::string& table) { return table == key || stands_below(key, table); };
+  if (std::any_of(accepted_.begin(), accepted_.end(), covers)) return true;
+  const auto below = [&](const std::string& other) { return stands_below(other, key); };
+  return std::any_of(known_.begin(), known_.end(), below) || std::any_of(accepted_.begin(), accepted_.end(), below);
+}
+
+std::string Configuration::with_wildcards(std::string_view key) const {
+  std::string pattern(key);
+  for (const std::string& table : listed_) {
+    if (!stands_below(key, table)) continue;
+    const std::size_t first = table.size() + 1;
+    const std::size_t end = key.find('.', first);
+    pattern = std::string(key.substr(0, first)) + '*';
+    if (end != std::string_view::npos) pattern += key.substr(end);
+    return pattern;
+  }
+  return pattern;
+}
+
+bool Configuration::is_known_elsewhere(const std::string& key) const {
+  const std::string pattern = with_wildcards(key);
+  const auto matches = [&](const std::string& other) {
+    const std::string other_pattern = with_wildcards(other);
+    return other_pattern == pattern || stands_below(other_pattern, pattern);
+  };
+  return pattern != key && (pattern.ends_with('*') || std::any_of(known_.begin(), known_.end(), matches));
+}
+
+std::string Configuration::unknown_message(const Entry& entry) const {
+  const bool is_table = entry.kind == Entry::Kind::table;
+  std::set<std::string> keys(known_.begin(), known_.end());
+  keys.insert(accepted_.begin(), accepted_.end());
+  std::set<std::string> tables(listed_.begin(), listed_.end());
+  for (const std::string& key : keys)
+    for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+      tables.insert(key.substr(0, dot));
+  for (const std::string& key : known_)
+    if (const Entry* found = find(key); found != nullptr && found->kind == Entry::Kind::table) tables.insert(key);
+  for (const std::string& table : tables) keys.erase(table);
+  const std::set<std::string>& those = is_table && !tables.empty() ? tables : keys;
+  const std::vector<std::string> candidates(those.begin(), those.end());
+  const std::string meant = is_table ? "" : key_meant(entry.key, candidates);
+  return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
+                     !meant.empty()
+                         ? fmt::format("did you mean \"{}\"?", meant)
+                         : did_you_mean(entry.key, candidates, "none is like it; --dry-run prints those there are"));
+}
+
+/// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.
+bool Configuration::is_in_vain(const Entry& entry) const {
+  return entry.key_place.origin != origin_ && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
+}
+
+void Configuration::reject_unknown() const {
+  std::vector<std::string> messages;
+  std::vector<std::string> tables;  // what stands below an unknown table needs no word of its own
+  const auto check = [&](const Entry& entry) {
+    const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
+    if (std::any_of(tables.begin(), tables.end(), covers)) return;
+    if (entry.kind == Entry::Kind::table) tables.push_back(entry.key);
+    messages.push_back(unknown_message(entry));
+  };
+  for (const Entry& entry : entries_)
+    if (!is_known(entry.key)) check(entry);
+    else if (is_in_vain(entry))
+      messages.push_back(fmt::format("{}: \"{}\" has no effect, as all that would read it have a nearer key, such as "
+                                     "\"{}\"; give that instead", entry.key_place.text(), entry.key,
+                                     overridden_.at(entry.key)));
+  tables.clear();
+  for (const Entry& entry : unselected_)
+    if (!is_known(entry.key) && !is_known_elsewhere(entry.key)) check(entry);
+  if (!messages.empty()) throw ConfigurationError(fmt::format("{}", fmt::join(messages, "\n")));
+}
+
+bool Configuration::is_published(std::string_view key) const {
+  return std::any_of(published_.begin(), published_.end(), [&](const Entry& entry) { return entry.key == key; });
+}
+
+std::vector<Change> Configuration::changes() const {
+  const auto same = [](const Entry& a, const Entry& b) {
+    const auto equal = [](const Scalar& one, const Scalar& other) { return one.value == other.value; };
+    return a.kind == b.kind && (a.kind == Entry::Kind::list
+                                    ? std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), equal)
+                                    : equal(a.whole, b.whole));
+  };
+  std::vector<Change> changes;
+  for (const Entry& entry : entries_) {
+    const auto value = resolved_.find(entry.key);
+    if (value == resolved_.end()) continue;
+    const auto before = std::find_if(published_.begin(), published_.end(),
+                                     [&](const Entry& published) { return published.key == entry.key; });
+    if (before == published_.end())
+      changes.push_back({entry.key, value->second, ""});
+    else if (!same(entry, *before))
+      changes.push_back({entry.key, value->second, before->whole.written});
+  }
+  return changes;
+}
+
+std::string Configuration::resolved() const {
+  std::map<std::string, std::string, KeyOrder> lines = resolved_;
+  // A table that was asked for counts, even when nothing of it was read. Backwards: children before parents.
+  for (auto key_at = known_.rbegin(); key_at != known_.rend(); ++key_at) {
+    const std::string& key = *key_at;
+    const Entry* entry = find(key);
+    if (entry == nullptr || entry->kind != Entry::Kind::table) continue;
+    const bool shown =
+        std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return stands_below(line.first, key); });
+    if (!shown) lines[key] = "{}";
+  }
+  std::string text;
+  for (const auto& [key, value] : lines) text += fmt::format("{} = {}\n", key, value);
+  return text;
+}
+
+std::string Configuration::hash() const { return hash_of(resolved()); }
+
+}  // namespace flowslide

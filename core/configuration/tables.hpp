@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "configuration/configuration.hpp"
+
+namespace flowslide {
+
+/// Names of tables of a configuration that stand in for each other, such as "point.pulse.loading", then "loading".
+class TableNames {
+ public:
+  TableNames(const char* name) : names_{name} {}
+  TableNames(std::string name) : names_{std::move(name)} {}
+  TableNames(std::initializer_list<std::string> names) : names_(names) {}
+  TableNames(std::vector<std::string> names) : names_(std::move(names)) {}
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// The getters of Configuration for the keys of such tables: a key is read from the first table that has it. A message
+/// about a key that is missing names the first table that is the user's, or else the last.
+class Tables {
+ public:
+  /// `configuration` must outlive it.
+  Tables(const Configuration& configuration, TableNames tables)
+      : configuration_(configuration), tables_(std::move(tables)) {}
+
+  /// The whole key, with the table that has it.
+  std::string key(const char* name) const;
+  bool has(const char* name) const { return configuration_.has(key(name)); }
+  std::string text(const char* name, const std::vector<std::string>& allowed = {}) const {
+    return configuration_.text(key(name), allowed);
+  }
+  std::filesystem::path path(const char* name) const { return configuration_.path(key(name)); }
+  template <typename Value>
+  Value choice(const char* name, const std::vector<std::pair<std::string, Value>>& values) const {
+    return configuration_.choice(key(name), values);
+  }
+  double number(const char* name, const Range& range) const { return configuration_.number(key(name), range); }
+  double quantity(const char* name, const Dimension& dimension, const Range& range = Range::any()) const {
+    return configuration_.quantity(key(name), dimension, range);
+  }
+  double positive(const char* name, const Dimension& dimension) const {
+    return quantity(name, dimension, Range::positive());
+  }
+  std::int64_t integer(const char* name, const Range& range) const { return configuration_.integer(key(name), range); }
+  std::vector<double> quantities(const char* name, const Dimension& dimension, const Range& range) const {
+    return configuration_.quantities(key(name), dimension, range);
+  }
+  std::vector<std::int64_t> integers(const char* name, const Range& range) const {
+    return configuration_.integers(key(name), range);
+  }
+  bool flag(const char* name) const { return configuration_.flag(key(name)); }
+  /// Marks keys as known in each of the tables.
+  void accept(std::initializer_list<const char*> names) const;
+  [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& mend) const {
+    configuration_.refuse(key(name), problem, mend);
+  }
+
+ private:
+  const std::string& table_to_mend() const;
+
+  const Configuration& configuration_;
+  TableNames tables_;
+};
+
+}  // namespace flowslide

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "configuration/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "program/run_main.hpp"
+#include "record/atomic_file.hpp"
+
+namespace flowslide {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view mark_of_utf8 = "\xEF\xBB\xBF";
+/// UTF-16 and UTF-32, in either order of bytes; the marks of UTF-32 in little-endian begin as one of UTF-16.
+constexpr std::array marks_of_others{"\xFF\xFE"sv, "\xFE\xFF"sv, "\0\0\xFE\xFF"sv};
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& file, const std::string& wanted) {
+  const auto refuse = [&](const std::string& problem) {
+    throw ConfigurationError(fmt::format("{}: {}", file.string(), problem));
+  };
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(file, failure);
+  if (std::filesystem::is_directory(status)) refuse(fmt::format("is a folder, but {} is needed", wanted));
+  if (std::filesystem::is_other(status))
+    refuse(fmt::format("is a pipe, a socket or a device, but {} is needed; write it to a file first", wanted));
+  std::string text;
+  try {
+    text = read_file(file);
+  } catch (const FileError&) {
+    refuse("cannot be read; check the path and its permissions");
+  }
+  for (const std::string_view mark : marks_of_others)
+    if (text.starts_with(mark)) refuse("is UTF-16 or UTF-32; save it as UTF-8");
+  if (text.starts_with(mark_of_utf8)) text.erase(0, mark_of_utf8.size());
+  return text;
+}
+
+}  // namespace flowslide

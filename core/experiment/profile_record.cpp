@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "experiment/profile_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "grains/profiles.hpp"
+#include "sample/failure.hpp"
+
+namespace flowslide {
+namespace {
+
+/// Mean v_x of the layer that is glued to the top plane, or of the upper face where there is none, relative to the
+/// bottom, m/s.
+double top_velocity(const Assembly& assembly) {
+  if (assembly.cell.periodic[2]) return assembly.cell.shear_velocity;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    if (assembly.role[i] != Role::top_layer) continue;
+    sum += assembly.velocity[i].x();
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+void add(std::vector<double>& sums, const std::vector<double>& values) {
+  sums.resize(values.size(), 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i] += values[i];
+}
+
+std::vector<double> over(std::vector<double> values, double divisor) {
+  for (double& value : values) value /= divisor;
+  return values;
+}
+
+}  // namespace
+
+ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key) {
+  ProfilePlan plan;
+  configuration.accept("profiles");
+  if (!configuration.has(strains_key)) return plan;
+  plan.strains = configuration.numbers(strains_key, Range::not_negative());
+  if (std::adjacent_find(plan.strains.begin(), plan.strains.end(), std::greater_equal<>()) != plan.strains.end())
+    configuration.refuse(strains_key, "the strains do not grow", "sort them and name each once");
+  plan.sublayers = static_cast<int>(configuration.integer("profiles.sublayers", Range::between(2, 1000)));
+  plan.snapshots = static_cast<int>(configuration.integer("profiles.snapshots", Range::between(1, 100000)));
+  plan.window = configuration.number("profiles.window", Range::not_negative());
+  return plan;
+}
+
+ProfileRecord::ProfileRecord(ProfilePlan plan) : plan_(std::move(plan)), next_strain_(next_strain()) {}
+
+double ProfileRecord::next_strain() const {
+  const bool open = !sums_.empty() && sums_.back().snapshots < plan_.snapshots;
+  const std::size_t index = open ? sums_.size() - 1 : sums_.size();
+  if (index >= plan_.strains.size()) return std::numeric_limits<double>::infinity();
+  const int taken = open ? sums_.back().snapshots : 0;
+  return plan_.strains[index] * (1.0 + plan_.window * taken / plan_.snapshots);
+}
+
+void ProfileRecord::take(double strain, const DemSample& sample) {
+  if (strain < next_strain_) return;
+  if (sums_.empty() || sums_.back().snapshots == plan_.snapshots) sums_.emplace_back();
+  ProfileSums& sums = sums_.back();
+  const Assembly assembly = sample.assembly();
+  const EngineSettings& settings = sample.settings();
+  const ContactForces forces = evaluate_contact_forces(assembly, settings.material, settings.time_step);
+  const Profiles now = [&] {
+    try {
+      return profiles(assembly, forces, plan_.sublayers);
+    } catch (const std::invalid_argument& empty) {  // a sublayer without solid
+      throw NumericalFailure(fmt::format("profiles at a shear strain of {}: {}", strain, empty.what()));
+    }
+  }();
+  add(sums.velocity, now.velocity);
+  add(sums.shear, now.shear_stress);
+  add(sums.normal, now.normal_stress);
+  sums.top_velocity += top_velocity(assembly);
+  sums.sample_shear += sample.stress().shear;
+  sums.sample_normal += sample.stress().normal;
+  ++sums.snapshots;
+  next_strain_ = next_strain();
+}
+
+void ProfileRecord::restore(std::vector<ProfileSums> sums) {
+  bool fits = sums.size() <= plan_.strains.size();
+  for (std::size_t i = 0; i < sums.size() && fits; ++i) {
+    const bool last = i + 1 == sums.size();
+    fits = sums[i].velocity.size() == static_cast<std::size_t>(plan_.sublayers) &&
+           sums[i].shear.size() == sums[i].velocity.size() && sums[i].normal.size() == sums[i].velocity.size() &&
+           sums[i].snapshots >= 1 && sums[i].snapshots <= plan_.snapshots &&
+           (last || sums[i].snapshots == plan_.snapshots);
+  }
+  if (!fits) throw std::invalid_argument("the profiles are not of this plan: other strains, sublayers or snapshots");
+  sums_ = std::move(sums);
+  next_strain_ = next_strain();
+}
+
+Series ProfileRecord::series() const {
+  Series series;
+  series.axis = {"relative_height", "z/H", "1", "height over that of the sample", "from the bottom up", {}};
+  for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
+  for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
+    const ProfileSums& sums = sums_[i];
+    // Of a sample that stands still or bears nothing there are no shares. Those behind it would take its place.
+    if (sums.top_velocity == 0.0 || sums.sample_shear == 0.0 || sums.sample_normal == 0.0) break;
+    const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i + 1); };
+    const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
+    series.columns.push_back({name("velocity"), "<v_x>/v_top", "1", "velocity over that of the top layer" + at,
+                              "positive downslope", over(sums.velocity, sums.top_velocity)});
+    series.columns.push_back({name("shear_stress"), "<tau>/tau", "1", "shear stress over that of the sample" + at, "",
+                              over(sums.shear, sums.sample_shear)});
+    series.columns.push_back({name("normal_stress"), "<sigma>/sigma", "1", "normal stress over that of the sample" + at,
+                              "", over(sums.normal, sums.sample_normal)});
+  }
+  return series;
+}
+
+double linearity(const Series& profiles, const std::string& column) {
+  const std::vector<double>&x = profiles.axis.values, &y = profiles.column(column).values;
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / count;
+    mean_y += y[i] / count;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+    yy += (y[i] - mean_y) * (y[i] - mean_y);
+  }
+  return xy * xy / (xx * yy);
+}
+
+}  // namespace flowslide

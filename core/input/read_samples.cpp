@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "input/read_samples.hpp"
+
+#include <fmt/format.h>
+
+#include "input/read_fields.hpp"
+#include "program/run_main.hpp"
+#include "sample/health.hpp"
+
+namespace flowslide {
+namespace {
+
+/// Room between the seeds of two replicates for the trials of a search.
+constexpr std::uint64_t seeds_per_replicate = 1000;
+
+LatticePacking read_packing(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
+  LatticePacking packing;
+  read_fields(table, packing, {"spacing", "jitter", "seed"});
+  if (packing.largest_diameter < packing.smallest_diameter)
+    table.refuse("largest_diameter", fmt::format("is below packing.smallest_diameter, {} m", packing.smallest_diameter),
+                 "change one of them");
+  packing.seed = static_cast<std::uint64_t>(configuration.integer("seed", Range::between(0, 1e9)));
+  return packing;
+}
+
+/// The stages in which drag acts, written as a list of their numbers.
+std::array<bool, 4> read_drag_stages(const Tables& table) {
+  std::array<bool, 4> acts{};
+  for (const std::int64_t stage : table.integers("drag_stages", Range::between(1, 4))) acts[stage - 1] = true;
+  return acts;
+}
+
+/// The recipe but for the grains and for what differs between the samples of a configuration.
+SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
+  const Tables table(configuration, tables);
+  SampleRecipe recipe;
+  read_fields(table, recipe,
+              {"packing", "material", "normal_stress", "shear_stress", "preparation_friction", "periodic_height",
+               "drag", "drag_stages", "most_steps"});
+  recipe.drag_stages = read_drag_stages(table);
+  return recipe;
+}
+
+std::uint64_t seed_offset(const Configuration& configuration, const std::string& key, int replicate) {
+  if (configuration.has(key)) {
+    const auto offsets = configuration.integers(key, Range::between(0, 1e9));
+    if (static_cast<std::size_t>(replicate) < offsets.size()) return static_cast<std::uint64_t>(offsets[replicate]);
+  }
+  return static_cast<std::uint64_t>(replicate) * seeds_per_replicate;
+}
+
+/// mu_1 of a sample: as a search found it for this replicate, or where a search starts.
+double preparation_friction(const Tables& sample, int replicate) {
+  SampleRecipe recipe;
+  read_field(sample, recipe, &SampleRecipe::preparation_friction);
+  if (!sample.has("found_preparation_frictions")) return recipe.preparation_friction;
+  const FieldKey key = key_of(&SampleRecipe::preparation_friction);
+  const std::vector<double> found = sample.quantities("found_preparation_frictions", key.dimension(), key.range());
+  return static_cast<std::size_t>(replicate) < found.size() ? found[replicate] : recipe.preparation_friction;
+}
+
+}  // namespace
+
+SlopeProperties read_slope(const Configuration& configuration) {
+  SlopeProperties slope;
+  const auto positive = [&](const char* key, const Dimension& dimension) {
+    return configuration.quantity(key, dimension, Range::positive());
+  };
+  slope.saturated_density = positive("slope.saturated_density", dimension::density);
+  slope.dry_density = positive("slope.dry_density", dimension::density);
+  slope.thickness = positive("slope.thickness", dimension::length);
+  slope.liquefiable_thickness = positive("slope.liquefiable_thickness", dimension::length);
+  slope.water_table = configuration.quantity("slope.water_table", dimension::length, Range::not_negative());
+  slope.angle = configuration.quantity("slope.angle", dimension::angle, Range::between(0.0, 1.5));
+  slope.hydraulic_conductivity =
+      configuration.quantity("slope.hydraulic_conductivity", dimension::velocity, Range::not_negative());
+  as_written_by_user("", [&] { validate(slope); });
+  return slope;
+}
+
+Material read_material(const Configuration& configuration, const TableNames& tables) {
+  Material material;
+  read_fields(Tables(configuration, tables), material);
+  return material;
+}
+
+std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
+                                              int replicate) {
+  std::vector<SampleSpecification> samples;
+  for (const std::string& name : configuration.subtables("sample")) {
+    const std::string table = "sample." + name + ".";
+    const Tables own(configuration, "sample." + name);
+    const TableNames preparation{table + "preparation", "preparation"};
+    SampleSpecification sample{name, read_preparation(configuration, preparation), {}};
+    sample.recipe.packing = read_packing(configuration, {table + "packing", "packing"});
+    sample.recipe.packing.seed += seed_offset(configuration, table + "seed_offsets", replicate);
+    sample.recipe.material = read_material(configuration, {table + "material", "material"});
+    sample.recipe.normal_stress = initial_normal_stress(slope);
+    sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
+    const std::string periodic = table + "periodic_height";
+    sample.recipe.periodic_height = configuration.has(periodic) && configuration.flag(periodic);
+    sample.recipe.preparation_friction = preparation_friction(own, replicate);
+    read_field(own, sample.recipe, &SampleRecipe::drag);
+    sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
+    sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
+    sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));
+    sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
+    check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
+                    sample.recipe.packing.smallest_diameter, sample.recipe.material);
+    as_written_by_user("sample " + name, [&] { validate(sample.recipe); });
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
+                     const Material& material) {
+  const double limit = longest_time_step(0.5 * smallest_diameter, material);
+  if (configuration.quantity(key, dimension::time, Range::positive()) > limit)
+    configuration.refuse(key,
+                         fmt::format("is too long for DEM: at most {:.3g} s, which is {} of the Rayleigh time of the "
+                                     "smallest grain", limit, largest_share_of_rayleigh_time),
+                         "choose a smaller step, or larger or softer grains");
+}
+
+}  // namespace flowslide

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "process/ranks.hpp"
+
+#include <mpi.h>
+
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <thread>
+
+#include "dem/liggghts/instance.hpp"
+#include "program/run_main.hpp"
+
+namespace flowslide {
+namespace {
+
+/// How long a rank that has failed waits for the others to end, too: they do at once if they met the same failure.
+constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::milliseconds time_between_looks{5};
+
+/// Codes in the order of what is told to all: failures, by their rank, before claims that are not met, before success.
+std::int64_t ordered(int code, int rank) {
+  const std::int64_t kind = code == to_int(ExitCode::ok) ? 2 : code == to_int(ExitCode::claim_not_met) ? 1 : 0;
+  return (kind << 40) + (std::int64_t{rank} << 8) + code;
+}
+
+bool failed(int code) { return code != to_int(ExitCode::ok) && code != to_int(ExitCode::claim_not_met); }
+
+}  // namespace
+
+void on_first_rank(const std::function<void()>& action) {
+  if (mpi_ranks() == 1) return action();
+  std::exception_ptr failure;
+  if (mpi_rank() == 0) {
+    try {
+      action();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }
+  int code = failure ? to_int(code_of(failure)) : to_int(ExitCode::ok);
+  MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  if (failure) std::rethrow_exception(failure);
+  if (code != to_int(ExitCode::ok)) throw FirstRankFailed(static_cast<ExitCode>(code));
+}
+
+bool same_on_all_ranks(bool value) {
+  if (mpi_ranks() == 1) return value;
+  int number = value ? 1 : 0;
+  MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  return number != 0;
+}
+
+int same_exit_code(int code) {
+  const MPI_Comm others = communicator_at_end();
+  if (others == MPI_COMM_NULL || mpi_ranks() == 1) return code;
+  std::int64_t mine = ordered(code, mpi_rank()), first = mine;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&mine, &first, 1, MPI_INT64_T, MPI_MIN, others, &request);
+  const auto begun = std::chrono::steady_clock::now();
+  for (int done = 0; !done;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done) break;
+    if (failed(code) && std::chrono::steady_clock::now() - begun > patience) MPI_Abort(MPI_COMM_WORLD, code);
+    std::this_thread::sleep_for(time_between_looks);
+  }
+  return static_cast<int>(first & 0xFF);
+}
+
+}  // namespace flowslide

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "process/run_control.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "dem/liggghts/instance.hpp"
+#include "program/run_main.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr std::array stop_signals{SIGTERM, SIGUSR1, SIGINT};
+
+/// Of the time given: for what is between a border and the end of the program besides checkpoints.
+constexpr double walltime_share = 0.05, longest_reserve = 5.0;  // 1, s
+
+volatile sig_atomic_t received_reason = 0;
+int users = 0;
+std::array<struct sigaction, stop_signals.size()> before;
+
+void note(int signal) {
+  if (signal == SIGINT) {
+    if (received_reason == static_cast<int>(StopReason::interrupt)) ::_exit(to_int(ExitCode::interrupted));
+    received_reason = static_cast<int>(StopReason::interrupt);
+  } else if (received_reason == 0) {
+    received_reason = static_cast<int>(StopReason::terminate);
+  }
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  if (users++ > 0) return;
+  received_reason = 0;
+  struct sigaction action {};
+  action.sa_handler = note;
+  action.sa_flags = SA_RESTART;
+  ::sigemptyset(&action.sa_mask);
+  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &action, &before[i]);
+}
+
+StopSignals::~StopSignals() {
+  if (--users > 0) return;
+  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &before[i], nullptr);
+}
+
+StopReason StopSignals::received() { return static_cast<StopReason>(received_reason); }
+
+RunControl::RunControl(const RunLimits& limits, Clock now) : limits_(limits), now_(std::move(now)), start_(now_()) {}
+
+double RunControl::since_start() const { return std::chrono::duration<double>(now_() - start_).count(); }
+
+RunControl::Due RunControl::border() {
+  const double now = since_start();
+  // The first exchange after a checkpoint includes it; what is measured there is the checkpoint's.
+  if (!kept_since_border_) longest_exchange_ = std::max(longest_exchange_, now - last_border_);
+  kept_since_border_ = false;
+  last_border_ = now;
+  const double needed = longest_exchange_ + 2.0 * longest_write_ +
+                        std::min(walltime_share * limits_.walltime, longest_reserve);
+  int wanted = static_cast<int>(StopSignals::received());
+  if (wanted == 0 && now + needed > limits_.walltime) wanted = static_cast<int>(StopReason::walltime);
+  const int interval_over = now - last_kept_ >= limits_.checkpoint_interval ? 1 : 0;
+  std::array<int, 2> all{wanted, interval_over};
+  if (mpi_ranks() > 1) MPI_Allreduce(MPI_IN_PLACE, all.data(), 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  reason_ = static_cast<StopReason>(all[0]);
+  if (reason_ != StopReason::none) return Due::stop;
+  return all[1] != 0 ? Due::checkpoint : Due::nothing;
+}
+
+void RunControl::kept() {
+  last_kept_ = since_start();
+  longest_write_ = std::max(longest_write_, last_kept_ - last_border_);
+  kept_since_border_ = true;
+}
+
+void RunControl::border_of_preparation(const std::function<bool()>& keep) {
+  const Due due = border();
+  if (due == Due::nothing) return;
+  const bool kept_it = keep();
+  kept();
+  if (due == Due::stop)
+    stop(kept_it ? "its sample is being prepared, and the same command goes on with that"
+                 : "what it was at has no checkpoint and begins anew; complete samples are kept in the cache");
+}
+
+void RunControl::stop(const std::string& what) const {
+  const char* why = reason_ == StopReason::interrupt ? "interrupted"
+                    : reason_ == StopReason::walltime ? "out of the time given by --max-walltime"
+                                                      : "asked to end by a signal";
+  throw Stopped(reason_ == StopReason::interrupt ? ExitCode::interrupted : ExitCode::resumable,
+                fmt::format("{}; {}", why, what));
+}
+
+}  // namespace flowslide

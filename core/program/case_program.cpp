@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "program/case_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "claims/claims.hpp"
+#include "configuration/canonical.hpp"
+#include "dem/liggghts/instance.hpp"
+#include "process/ranks.hpp"
+#include "program/changed_settings.hpp"
+#include "program/file_names.hpp"
+#include "program/run_main.hpp"
+#include "record/atomic_file.hpp"
+#include "record/result_file.hpp"
+#include "run/begin_point.hpp"
+#include "run/cost.hpp"
+#include "run/so_far.hpp"
+#include "run/status.hpp"
+
+namespace flowslide {
+namespace {
+
+class CaseProgram {
+ public:
+  CaseProgram(Case& the_case, const CommandLine& options, const std::filesystem::path& folder,
+              std::span<const char* const> arguments)
+      : case_(the_case),
+        options_(options),
+        folder_(folder),
+        arguments_(arguments),
+        configuration_(layers_of(options, folder / "case.toml")) {
+    case_.read(configuration_);
+    configuration_.reject_unknown();
+    points_ = case_.points();
+    refuse_names_that_meet(points_, case_.tables());
+    changed_ = changed_settings(configuration_);
+    for (const std::string& name : selected_points(options_, names(points_))) chosen_.insert(name);
+  }
+
+  int run() {
+    if (options_.list) return list();
+    if (options_.dry_run) return plan();
+    if (options_.check) return check();
+    if (options_.prepare) return prepare();
+    if (options_.status) return status();
+    if (options_.so_far) return write_so_far();
+    warn_of_idle_ranks();
+    RunControl control({options_.checkpoint_interval, options_.max_walltime});
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name)) run_point(point, control);
+    // A single point is one of several programs side by side: who started them asks for the claims.
+    return options_.points.empty() ? check() : to_int(ExitCode::ok);
+  }
+
+ private:
+  void warn_of_idle_ranks() const {
+    const std::string engine = configuration_.text("engine", case_.description().engines);
+    if (mpi_ranks() > 1 && first_rank() && !engine.starts_with("liggghts"))
+      std::cerr << fmt::format("flowslide: each of the {} ranks does the whole work with --engine {}; only liggghts shares "
+                               "it\n", mpi_ranks(), engine);
+  }
+
+  static std::vector<std::string> names(const std::vector<Point>& points) {
+    std::vector<std::string> all;
+    all.reserve(points.size());
+    for (const Point& point : points) all.push_back(point.name);
+    return all;
+  }
+  /// As JSON has it, too.
+  static std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
+  bool first_rank() const { return mpi_rank() == 0; }
+
+  int list() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    if (!changed_.empty() && !options_.json)
+      std::cerr << fmt::format("flowslide: settings that are not those of the case: {}; its claims are not evaluated\n",
+                               fmt::join(changed_, "; "));
+    std::string text = options_.json ? "{\"points\": [" : "# name\tseconds\tdescription\n";
+    bool first = true;
+    for (const Point& point : points_) {
+      if (!chosen_.contains(point.name)) continue;
+      if (!options_.json) {
+        text += fmt::format("{}\t{:.0f}\t{}\n", point.name, point.predicted_seconds, point.description);
+        continue;
+      }
+      std::string figures;
+      for (const std::string& figure : point.figures) figures += (figures.empty() ? "" : ", ") + quoted(figure);
+      text += fmt::format(
+          "{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, \"sample\": {}, "
+          "\"description\": {}}}",
+          first ? "" : ",", quoted(point.name), figures, point.predicted_seconds, quoted(point.sample),
+          quoted(point.description));
+      first = false;
+    }
+    std::cout << text << (options_.json ? "\n]" + changed_json() + "}\n" : "");
+    return to_int(ExitCode::ok);
+  }
+
+  std::string changed_json() const {
+    std::string text;
+    for (const std::string& setting : changed_) text += (text.empty() ? "" : ", ") + quoted(setting);
+    return text.empty() ? "" : ", \"changed\": [" + text + "]";
+  }
+
+  int plan() const {
+    std::ostream nowhere(nullptr);
+    std::ostream& out = first_rank() ? std::cout : nowhere;
+    out << "# resolved configuration, hash " << configuration_.hash() << "\n"
+        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n";
+    for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
+    out << configuration_.resolved();
+    for (const Point& point : points_) {
+      if (!chosen_.contains(point.name)) continue;
+      out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
+                         duration_text(point.predicted_seconds));
+      case_.print_plan(point, out);
+    }
+    return to_int(ExitCode::ok);
+  }
+
+  int prepare() const {
+    RunControl control({options_.checkpoint_interval, options_.max_walltime});
+    const auto border = [&](const std::function<bool()>& keep) { control.border_of_preparation(keep); };
+    std::set<std::string> prepared{""};
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
+        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), border);
+    return to_int(ExitCode::ok);
+  }
+
+  int status() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    const OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
+    std::vector<PointStatus> all;
+    for (const Point& point : points_)
+      if (chosen_.contains(point.name)) all.push_back(status_of(output, point.name, identity_of(point)));
+    std::cout << (options_.json ? status_json(all) : status_table(all));
+    return to_int(ExitCode::ok);
+  }
+
+  int write_so_far() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    const std::string& name = case_.description().name;
+    const OutputFolder output = OutputFolder::open_existing(options_.output, name);
+    const OutputFolder copy = OutputFolder::open(output.file("so_far"), name);
+    std::map<std::string, RunIdentity> chosen;
+    for (const Point& point : points_) {
+      if (chosen_.contains(point.name))
+        chosen.emplace(point.name, identity_of(point));
+      else
+        copy.remove_point(point.name);  // of an earlier call that chose it
+    }
+    std::cerr << copy_so_far(output, copy, chosen);
+    finish(copy);
+    std::cout << copy.path().string() << "\n";
+    return to_int(ExitCode::ok);
+  }
+
+  RunIdentity identity_of(const Point& point) const {
+    return {case_.description().name, point.name, point.inputs, configuration_.resolved()};
+  }
+
+  /// The tables of the figures, and what these have to say of the settings.
+  void finish(const OutputFolder& output) const {
+    case_.finish(output);
+    const std::filesystem::path changes = output.file("changes.txt");
+    std::filesystem::remove(changes);
+    if (!changed_.empty()) write_atomically(changes, fmt::format("{}\n", fmt::join(changed_, "\n")));
+  }
+
+  void run_point(const Point& point, RunControl& control) {
+    if (control.border() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
+    const std::string& case_name = case_.description().name;
+    const RunIdentity identity = identity_of(point);
+    std::optional<OutputFolder> output;
+    std::optional<BegunPoint> begun;  // its lock is held until the point is over
+    on_first_rank([&] {
+      if (options_.resume) OutputFolder::open_existing(options_.output, case_name);
+      output.emplace(OutputFolder::open(options_.output, case_name));
+      begun.emplace(begin_point(*output, point.name, identity, options_.afresh));
+    });
+    if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_name));
+    if (same_on_all_ranks(begun && begun->complete)) {
+      if (first_rank())
+        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
+                                 point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
+      return;
+    }
+    PointCheckpoints checkpoints(output->checkpoints(point.name), control, identity);
+    const PointRun run{*output,          provenance_of(point), identity, ProgressStyle::of_stderr(mpi_rank()),
+                       options_.threads, checkpoints};
+    try {
+      case_.run(point, run);
+    } catch (const CorruptFileError&) {
+      throw;
+    } catch (const FileError& error) {  // such as a full disk
+      const bool kept = !output->checkpoints(point.name).empty();
+      throw FileError(error.what() + std::string(kept ? "; the same command goes on from its last checkpoint" : ""));
+    }
+    on_first_rank([&] { output->checkpoints(point.name).remove(); });
+  }
+
+  /// Of a run of that point which begins now.
+  Provenance provenance_of(const Point& point) const {
+    Provenance provenance = start_provenance(arguments_);
+    provenance.mpi_ranks = mpi_ranks();
+    provenance.case_name = case_.description().name;
+    provenance.point = point.name;
+    provenance.scale = options_.scale;
+    provenance.predicted_seconds = point.predicted_seconds;
+    provenance.engine = point.inputs.engine;
+    if (!point.inputs.engine.empty()) provenance.engine_version = engine_version(point.inputs.engine);
+    for (const std::string& figure : point.figures)
+      provenance.figure += (provenance.figure.empty() ? "" : ", ") + figure;
+    return provenance;
+  }
+
+  int check() const {
+    if (!first_rank()) return to_int(ExitCode::ok);
+    OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
+    const std::vector<std::string> present = results_in(output);
+    finish(output);
+    const auto metrics = case_.metrics(output.path(), present);
+    std::vector<Provenance> origins;
+    origins.reserve(present.size());
+    for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
+    std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
+    if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
+    std::vector<Verdict> verdicts = evaluate(claims, metrics);
+    if (!changed_.empty())
+      verdicts = not_evaluated(verdicts, fmt::format("not the paper's settings: {}", fmt::join(changed_, "; ")));
+    if (verdicts.empty()) {
+      if (options_.json) std::cout << json(verdicts);
+      return to_int(ExitCode::ok);
+    }
+    write_atomically(output.file("claims.md"), markdown_table(verdicts));
+    write_atomically(output.file("claims.json"), json(verdicts));
+    std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts) + cost_text(cost_of(origins)) + "\n");
+    return to_int(is_one_not_met(verdicts) ? ExitCode::claim_not_met : ExitCode::ok);
+  }
+
+  /// The chosen points whose results are there. They must be of this run; other results that are not are left out of
+  /// what finish() makes of all.
+  std::vector<std::string> results_in(OutputFolder& output) const {
+    std::vector<std::string> present;
+    for (const Point& point : points_) {
+      const auto file = output.file(point.name + OutputFolder::result_end);
+      const FoundResult found = find_result(file, identity_of(point));
+      const bool chosen = chosen_.contains(point.name);
+      if (found.standing == Standing::complete && chosen) present.push_back(point.name);
+      if (found.standing != Standing::damaged && found.standing != Standing::other) continue;
+      const std::string problem =
+          found.standing == Standing::damaged
+              ? found.problem
+              : fmt::format("{} is the result of another run ({})", file.string(), found.problem);
+      if (chosen && found.standing == Standing::damaged) throw CorruptFileError(problem);
+      if (chosen) throw ConfigurationError(fmt::format("{}; {}", problem, begin_anew));
+      std::cerr << fmt::format("flowslide: {}; it is left out\n", problem);
+      output.leave_out(point.name);
+    }
+    return present;
+  }
+
+  /// Whether a claim is about one of the chosen points, or a figure that one belongs to.
+  bool concerns(const Claim& claim) const {
+    return std::any_of(points_.begin(), points_.end(), [&](const Point& point) {
+      if (!chosen_.contains(point.name)) return false;
+      return claim.metric.starts_with(point.name + ".") ||
+             std::any_of(point.figures.begin(), point.figures.end(), [&](const std::string& figure) {
+               const std::string start = "Fig. " + figure;
+               return claim.figure.starts_with(start) &&
+                      (claim.figure.size() == start.size() || !std::isdigit(claim.figure[start.size()]));
+             });
+    });
+  }
+
+  Case& case_;
+  const CommandLine& options_;
+  std::filesystem::path folder_;
+  std::span<const char* const> arguments_;
+  Configuration configuration_;
+  std::vector<Point> points_;
+  std::vector<std::string> changed_;  ///< see changed_settings
+  std::set<std::string> chosen_;
+};
+
+}  // namespace
+
+Provenance PointRun::provenance_now() const {
+  Provenance now = provenance;
+  now.processor_seconds = provenance.mpi_ranks * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+  // What went before a checkpoint of an older version is not known, and so is the sum.
+  if (const auto& kept = checkpoints.found()) now.processor_seconds += kept->so_far.provenance.processor_seconds;
+  return now;
+}
+
+Result PointRun::result(Series series, std::vector<Metric> metrics) const {
+  Result result;
+  result.provenance = provenance_now();
+  identity.stamp(result);
+  result.series = std::move(series);
+  result.metrics = std::move(metrics);
+  return result;
+}
+
+int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder) {
+  const auto program = [&] {
+    const CommandLine options = parse(argc, argv, the_case.description());
+    return CaseProgram(the_case, options, folder, {argv, static_cast<std::size_t>(argc)}).run();
+  };
+  return same_exit_code(run_main(program, mpi_rank()));
+}
+
+}  // namespace flowslide

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "program/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "configuration/nearest.hpp"
+#include "program/run_main.hpp"
+
+namespace flowslide {
+namespace {
+
+const std::vector<std::string> scale_names{"quick", "paper"};
+
+/// One word of a command as a shell would have to read it.
+std::string shell_word(std::string_view word) {
+  const auto plain = [](char c) {
+    constexpr std::string_view signs = "_-+=./:,@%";
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || signs.find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+constexpr std::size_t most_listed = 24;  ///< names in a message
+
+/// A check that refuses any text but one of `names`, and proposes the nearest.
+auto one_of(const std::vector<std::string>& names) {
+  return [names](const std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+    if (names.size() > most_listed)
+      return fmt::format("\"{}\" is not there; {}", text, did_you_mean(text, names, "see --list"));
+    return fmt::format("\"{}\" is not there; it must be {}; {}", text, list_of(names),
+                       did_you_mean(text, names, "choose one of these"));
+  };
+}
+
+/// A check that refuses any text but an integer from `least` to `most`.
+auto integer_from(std::int64_t least, std::int64_t most) {
+  return [least, most](const std::string& text) -> std::string {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size() && value >= least && value <= most)
+      return "";
+    return fmt::format("\"{}\" is not allowed; it must be an integer from {} to {}", text, least, most);
+  };
+}
+
+std::string key_and_value(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos && equals > 0 && text[0] != '-') return "";
+  return fmt::format("\"{}\" is not KEY=VALUE; write, for example, slope.angle=\"6 deg\"", text);
+}
+
+/// What the options fill before they are turned into a CommandLine.
+struct Raw {
+  std::vector<std::string> settings;
+  std::int64_t seed = 0;
+  std::int64_t replicates = 1;
+  std::string engine;
+  std::string configuration_file;
+  std::string output;
+  bool allow_unstable = false;
+  std::string checkpoint_interval, max_walltime;
+};
+
+constexpr std::int64_t most_threads = 1024, most_seed = 1000000000, most_replicates = 100;
+
+void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
+  const std::string group = "What to run";
+  app.add_option("--config", raw.configuration_file, "TOML file laid over the case's own case.toml")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--set", raw.settings,
+                 "One value of the configuration, such as slope.angle=\"6 deg\"; a quantity needs its unit; may be "
+                 "repeated; --dry-run prints all keys")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(key_and_value, ""))
+      ->group(group);
+  app.add_option("--scale", command_line.scale, "Size of the run: quick (default) or paper")
+      ->type_name("SCALE")
+      ->check(CLI::Validator(one_of(scale_names), ""))
+      ->group(group);
+  app.add_option("--engine", raw.engine,
+                 fmt::format("Engine that moves the grains: {}; default: the key `engine`",
+                             fmt::join(description.engines, ", ")))
+      ->type_name("NAME")
+      ->check(CLI::Validator(one_of(description.engines), ""))
+      ->group(group);
+  app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
+      ->type_name("N")
+      ->check(CLI::Validator(integer_from(0, most_seed), ""))
+      ->group(group);
+  app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
+      ->type_name("N")
+      ->check(CLI::Validator(integer_from(1, most_replicates), ""))
+      ->group(group);
+  app.add_flag("--allow-unstable", raw.allow_unstable,
+               "Run slides beyond the limit of stability of dt_G, too: the key `coupling.allow_unstable`")
+      ->group(group);
+  app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_option("--output", raw.output,
+                 fmt::format("Folder of the results; default: results/{}/SCALE", description.name))
+      ->type_name("DIR")
+      ->group(group);
+}
+
+void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
+  const std::string group = "Long runs";
+  app.add_flag("--resume", command_line.resume,
+               "Go on with a folder of results, which must be there. Points go on from their checkpoints without this "
+               "option, too; those that have none begin at the beginning")
+      ->group(group);
+  app.add_flag(
+         "--afresh", command_line.afresh,
+         "Begin the points anew: delete their checkpoints first, and results that are damaged or of another run (other "
+         "settings, input files or engine), which are else refused. Complete results of this run are kept")
+      ->excludes("--resume")
+      ->group(group);
+  app.add_option("--threads", command_line.threads,
+                 "Threads of the native engines, which change no result; default: one below 10 000 grains, else one for "
+                 "each core. LIGGGHTS works in ranks instead: mpirun -np N")
+      ->type_name("N")
+      ->check(CLI::Validator(integer_from(1, most_threads), ""))
+      ->group(group);
+  app.add_option("--checkpoint-interval", raw.checkpoint_interval,
+                 "Time between checkpoints, at the next exchange: \"30 s\"; default: 3 min")
+      ->type_name("TIME")
+      ->group(group);
+  app.add_option("--max-walltime", raw.max_walltime,
+                 "Keep a checkpoint and end with 75 before this time, from the start of the program, is over: \"24 h\"")
+      ->type_name("TIME")
+      ->group(group);
+}
+
+void add_other_options(CLI::App& app, CommandLine& command_line) {
+  const std::string group = "Instead of a run";
+  app.add_flag("--dry-run", command_line.dry_run,
+               "Print the resolved configuration, what the engine would be told, the steps and the predicted time; "
+               "write nothing")
+      ->group(group);
+  app.add_flag("--list", command_line.list, "Print the points with their predicted time")->group(group);
+  app.add_flag("--check", command_line.check,
+               "Collect the points in --output that are complete: write the figures' tables, evaluate the claims")
+      ->group(group);
+  app.add_flag("--prepare", command_line.prepare,
+               "Prepare the samples that the points need, for the cache; a point alone would do it, too")
+      ->group(group);
+  app.add_flag("--status", command_line.status,
+               "Print how far the points in --output have come: complete, running, stopped or not begun, and where")
+      ->group(group);
+  app.add_flag("--so-far", command_line.so_far,
+               "Write what there is, of points that are not complete up to their last checkpoint, to the folder so_far "
+               "in --output, to be drawn as a whole run is; runs go on undisturbed")
+      ->group(group);
+  app.add_flag("--json", command_line.json, "Machine-readable output of --list, --status or --check")->group(group);
+}
+
+std::string footer(const std::string& name) {
+  return fmt::format(
+      "\nExamples:\n"
+      "  {0}                                         the whole case at quick scale\n"
+      "  {0} --list                                  its points and their predicted time\n"
+      "  {0} --scale paper --dry-run                 what the paper's size would do\n"
+      "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   one value changed\n"
+      "\nExit codes:\n"
+      "  0 ok, 1 standard output cannot be written, 2 configuration, 3 numerical failure, 4 a claim not met,\n"
+      "  70 a defect of the program: please report it, 75 stopped but resumable, 130 interrupted\n",
+      name);
+}
+
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const CaseDescription& description) {
+  std::string hint;
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+    const std::vector<std::string> unknown = app.remaining();
+    if (!unknown.empty()) {
+      const std::string name = unknown.front().substr(0, unknown.front().find('='));
+      if (const std::string text = did_you_mean(name, names, ""); !text.empty()) hint = " (" + text + ")";
+    }
+  }
+  throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
+}
+
+/// A time above 0 in s; `unset` for an option that was not given. `likely_unit` is proposed for a bare number.
+double time_in(const std::string& text, const char* option, std::string_view likely_unit, double unset) {
+  if (text.empty()) return unset;
+  try {
+    if (const double time = parse_quantity(text, dimension::time, likely_unit); time > 0.0) return time;
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError(fmt::format("{}: {}", option, error.what()));
+  }
+  throw ConfigurationError(fmt::format("{}: \"{}\" is not above 0; write, for example, {} \"90 min\"", option, text,
+                                       option));
+}
+
+void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const CaseDescription& description) {
+  const auto given = [&app](const char* name) { return app.count(name) > 0; };
+  for (const std::string& setting : raw.settings) {
+    const std::size_t equals = setting.find('=');
+    command_line.overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1), "--set " + setting});
+  }
+  if (given("--config")) command_line.configuration_file = raw.configuration_file;
+  if (given("--engine")) {
+    command_line.engine = raw.engine;
+    command_line.overrides.push_back({"engine", fmt::format("\"{}\"", raw.engine), "--engine " + raw.engine});
+  }
+  const auto number = [&](const char* key, std::int64_t value, std::optional<std::int64_t>& target) {
+    if (!given(fmt::format("--{}", key).c_str())) return;
+    target = value;
+    command_line.overrides.push_back({key, fmt::format("{}", value), fmt::format("--{} {}", key, value)});
+  };
+  number("seed", raw.seed, command_line.seed);
+  number("replicates", raw.replicates, command_line.replicates);
+  if (raw.allow_unstable) command_line.overrides.push_back({"coupling.allow_unstable", "true", "--allow-unstable"});
+  if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
+  command_line.output = given("--output") ? std::filesystem::path(raw.output)
+                                          : std::filesystem::path("results") / description.name / command_line.scale;
+  command_line.checkpoint_interval = time_in(raw.checkpoint_interval, "--checkpoint-interval", "min", 180.0);
+  command_line.max_walltime = time_in(raw.max_walltime, "--max-walltime", "h", std::numeric_limits<double>::infinity());
+  const int others = command_line.status + command_line.so_far + command_line.prepare;
+  if (command_line.dry_run + command_line.list + command_line.check + others > 1) {
+    throw ConfigurationError(
+        fmt::format("--dry-run, --list, --check, --prepare, --status and --so-far exclude each other: give one; see {} "
+                    "--help",
+                    description.name));
+  }
+  if (command_line.json && !command_line.list && !command_line.check && !command_line.status)
+    throw ConfigurationError(fmt::format("--json needs --list, --status or --check; see {} --help", description.name));
+}
+
+}  // namespace
+
+CommandLine parse(int argc, const char* const* argv, const CaseDescription& description) {
+  CommandLine command_line;
+  Raw raw;
+  const std::string figures =
+      description.figures.empty() ? "" : fmt::format("\nDraws {}.", fmt::join(description.figures, ", "));
+  CLI::App app(description.description + figures, description.name);
+  app.set_help_flag("--help,-h", "Print this help and end")->group("About");
+  app.set_version_flag("--version", fmt::format("{} {}", description.name, description.version),
+                       "Print the version and end")
+      ->group("About");
+  app.footer(footer(description.name));
+  add_run_options(app, raw, command_line, description);
+  add_long_run_options(app, raw, command_line);
+  add_other_options(app, command_line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw FinishedEarly(app.help());
+  } catch (const CLI::CallForVersion& version) {
+    throw FinishedEarly(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    refuse(error, app, description);
+  }
+  fill(command_line, raw, app, description);
+  for (int i = 0; i < argc; ++i) command_line.text += (i > 0 ? " " : "") + shell_word(argv[i]);
+  return command_line;
+}
+
+Layers layers_of(const CommandLine& command_line, const std::filesystem::path& case_file) {
+  return {case_file, command_line.scale, command_line.configuration_file, command_line.overrides};
+}
+
+std::vector<std::string> selected_points(const CommandLine& command_line, const std::vector<std::string>& available) {
+  if (command_line.points.empty()) return available;
+  for (const std::string& point : command_line.points) {
+    if (const std::string problem = one_of(available)(point); !problem.empty())
+      throw ConfigurationError("--point: " + problem);
+  }
+  std::vector<std::string> chosen;
+  for (const std::string& point : available)
+    if (std::find(command_line.points.begin(), command_line.points.end(), point) != command_line.points.end())
+      chosen.push_back(point);
+  return chosen;
+}
+
+}  // namespace flowslide

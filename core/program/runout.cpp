@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "program/runout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace flowslide {
+namespace {
+
+constexpr double stress_window = 0.02;  ///< s: of the normal stress, which swings faster than the velocity
+constexpr double rounding = 1e-9;       ///< of a number of windows
+constexpr int coarse_rows = 25;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The means of a column over windows (s) that overlap by half, to the end of the record.
+std::vector<double> running_means(const Series& over_time, const std::string& column, double window) {
+  std::vector<double> means;
+  const int halves = static_cast<int>(std::floor(2.0 * end_of(over_time) / window + rounding));
+  for (int half = 0; half + 2 <= halves; ++half)
+    means.push_back(mean_over(over_time, column, 0.5 * window * half, 0.5 * window * (half + 2)));
+  return means;
+}
+
+/// Rank of each value, from 1; equal values share the mean of theirs.
+std::vector<double> ranks_of(const std::vector<double>& values) {
+  std::vector<double> ranks;
+  for (const double value : values) {
+    const auto below = std::count_if(values.begin(), values.end(), [&](double v) { return v < value; });
+    const auto equal = std::count(values.begin(), values.end(), value);
+    ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(equal + 1));
+  }
+  return ranks;
+}
+
+bool all_have(const std::vector<SweepMember>& sweep, const std::string& metric) {
+  return std::none_of(sweep.begin(), sweep.end(),
+                      [&](const SweepMember& member) { return values_of(*member.ensemble, metric).empty(); });
+}
+
+Column column_like(const std::vector<SweepMember>& sweep, const std::string& metric, const std::string& name) {
+  for (const SweepMember& member : sweep)
+    for (const Result& result : *member.ensemble)
+      for (const Metric& candidate : result.metrics)
+        if (candidate.name == metric) return {name, name, candidate.units, candidate.long_name, "", {}};
+  return {name, name, "1", metric, "", {}};
+}
+
+}  // namespace
+
+double largest_velocity(const Series& over_time) {
+  return statistics_of(running_means(over_time, "velocity", velocity_window)).highest;
+}
+
+double velocity_at(const Series& over_time, double time) {
+  const double half = 0.5 * velocity_window, slack = rounding * velocity_window;
+  if (!(time - half >= -slack && time + half <= end_of(over_time) + slack)) return nothing;
+  return mean_over(over_time, "velocity", time - half, time + half);
+}
+
+std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
+  const auto* pulse = std::get_if<SinePulse>(&outcome.point.settings.loading);
+  const Series& over_time = outcome.measures.over_time;
+  const bool stopped = outcome.stop == Stop::sliding_stopped;
+  double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : nothing;
+  if (pulse != nullptr && stopped && std::isnan(after)) after = 0.0;
+  return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
+          {"lowest_normal_stress", statistics_of(running_means(over_time, "normal_stress", stress_window)).lowest, "Pa",
+           "least normal stress, as a mean over 0.02 s"},
+          {"largest_velocity", largest_velocity(over_time), "m/s", "largest sliding velocity, as a mean over 0.1 s"},
+          {"velocity_after_pulse", after, "m/s", "sliding velocity when the pulse ends"},
+          {"runout", outcome.series.last("displacement"), "m", "sliding distance at the end"},
+          {"sliding_stopped", stopped ? 1.0 : 0.0, "1", "1 if sliding has stopped"},
+          {"sliding_time", outcome.series.last("time"), "s", "time at the end"}};
+}
+
+std::vector<SweepMember> sweep_of(const Ensembles& slides, const std::string& prefix, const std::string& parameter) {
+  std::vector<SweepMember> sweep;
+  for (const auto& [name, ensemble] : slides)
+    if (const double value = parameter_of(ensemble, parameter); name.starts_with(prefix) && std::isfinite(value))
+      sweep.push_back({value, &ensemble});
+  std::stable_sort(sweep.begin(), sweep.end(),
+                   [](const SweepMember& a, const SweepMember& b) { return a.parameter < b.parameter; });
+  return sweep;
+}
+
+std::vector<double> medians_along(const std::vector<SweepMember>& sweep, const std::string& metric) {
+  std::vector<double> medians;
+  for (const SweepMember& member : sweep) medians.push_back(statistics_of(values_of(*member.ensemble, metric)).median);
+  return medians;
+}
+
+double rank_correlation(const std::vector<double>& first, const std::vector<double>& second) {
+  const auto is_nan = [](double value) { return std::isnan(value); };
+  if (std::any_of(first.begin(), first.end(), is_nan) || std::any_of(second.begin(), second.end(), is_nan))
+    return nothing;
+  const std::vector<double> x = ranks_of(first), y = ranks_of(second);
+  const double middle = 0.5 * static_cast<double>(x.size() + 1);
+  const auto moment = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0, std::plus<>(),
+                              [&](double u, double v) { return (u - middle) * (v - middle); });
+  };
+  return moment(x, y) / std::sqrt(moment(x, x) * moment(y, y));
+}
+
+std::string label_of_quantity(double value) {
+  if (value == 0.0) return "0";
+  const double exponent = std::floor(std::log10(std::abs(value)) + rounding), share = value / std::pow(10.0, exponent);
+  const std::string power = fmt::format("10^{{{}{:.0f}}}", exponent < 0.0 ? "−" : "", std::abs(exponent));
+  return std::abs(share - 1.0) < rounding ? power : fmt::format("{:.3g}×{}", share, power);
+}
+
+Series coarse_band(const Ensemble& ensemble) { return band_over(ensemble, "displacement", coarse_rows); }
+
+Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::vector<SweepMember>>>& schemes,
+                    const std::vector<std::string>& metrics) {
+  Series series;
+  series.axis = std::move(axis);
+  const auto member = [](const std::vector<SweepMember>& sweep, double parameter) {
+    return std::find_if(sweep.begin(), sweep.end(), [&](const SweepMember& m) { return m.parameter == parameter; });
+  };
+  for (const SweepMember& candidate : schemes.front().second) {
+    const bool known = !series.axis.values.empty() && candidate.parameter == series.axis.values.back();
+    const auto has = [&](const auto& scheme) {
+      return member(scheme.second, candidate.parameter) != scheme.second.end();
+    };
+    if (!known && std::all_of(schemes.begin(), schemes.end(), has)) series.axis.values.push_back(candidate.parameter);
+  }
+  for (const auto& [scheme, sweep] : schemes)
+    for (const std::string& metric : metrics) {
+      if (series.rows() > 0 && !all_have(sweep, metric)) continue;
+      const std::string name = fmt::format("{}_{}", scheme, metric);
+      Column median = column_like(sweep, metric, name + "_median"),
+             lowest = column_like(sweep, metric, name + "_lowest"),
+             highest = column_like(sweep, metric, name + "_highest");
+      for (const double parameter : series.axis.values) {
+        const Statistics all = statistics_of(values_of(*member(sweep, parameter)->ensemble, metric));
+        median.values.push_back(all.median);
+        lowest.values.push_back(all.lowest);
+        highest.values.push_back(all.highest);
+      }
+      series.columns.insert(series.columns.end(), {median, lowest, highest});
+    }
+  return series;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "run/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "process/progress.hpp"
+
+namespace flowslide {
+
+Cost cost_of(std::span<const Provenance> points) {
+  Cost cost;
+  for (const Provenance& point : points) {
+    ++cost.points;
+    if (!std::isfinite(point.processor_seconds) || !std::isfinite(point.predicted_seconds)) continue;
+    ++cost.recorded;
+    cost.predicted_seconds += point.predicted_seconds;
+    cost.processor_seconds += point.processor_seconds;
+  }
+  return cost;
+}
+
+std::string cost_text(const Cost& cost) {
+  if (cost.recorded == 0) return "cost: not recorded";
+  const int silent = cost.points - cost.recorded;
+  return fmt::format("cost: {} of processor time, {} predicted{}", duration_text(cost.processor_seconds),
+                     duration_text(cost.predicted_seconds),
+                     silent > 0 ? fmt::format("; without {} of {} points, which did not record it", silent, cost.points)
+                                : "");
+}
+
+}  // namespace flowslide

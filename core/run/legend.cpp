@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "run/legend.hpp"
+
+#include "record/atomic_file.hpp"
+
+namespace flowslide {
+
+void Legend::write(const OutputFolder& output) const { write_atomically(output.file("legend.dat"), text_); }
+
+}  // namespace flowslide

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "run/so_far.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "program/run_main.hpp"
+#include "record/gnuplot_table.hpp"
+#include "run/point_checkpoints.hpp"
+
+namespace flowslide {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std::string& point) {
+  std::optional<Checkpoint> last;
+  try {
+    output.checkpoints(point).read_newest([&](const hdf5::Group& root) { last = read_checkpoint(root); },
+                                          [](std::string_view) {});
+  } catch (const CorruptFileError&) {
+    last.reset();
+  }
+  return last;
+}
+
+/// Why neither the result nor the checkpoint can be shown; empty if one can, or if there is none.
+std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>& last, const RunIdentity& identity) {
+  if (found.standing == Standing::damaged) return found.problem;
+  std::string difference = found.problem;
+  if (difference.empty() && last) difference = identity.difference_from(RunIdentity(last->so_far));
+  return difference.empty() ? "" : "of another run: " + difference;
+}
+
+/// False if the point has written nothing of this run that can be drawn.
+bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std::string& point,
+                const RunIdentity& identity, std::string& said) {
+  copy.remove_point(point);
+  const FoundResult found = find_result(output.file(point + OutputFolder::result_end), identity);
+  if (found.standing == Standing::complete) {
+    // The result last: a point is complete with it.
+    for (auto end = OutputFolder::point_ends.rbegin(); end != OutputFolder::point_ends.rend(); ++end)
+      if (fs::exists(output.file(point + *end)))
+        fs::copy(output.file(point + *end), copy.file(point + *end), fs::copy_options::recursive);
+    said += fmt::format("{}: complete\n", point);
+    return true;
+  }
+  const auto last = last_checkpoint(output, point);
+  if (const std::string problem = problem_of(found, last, identity); !problem.empty()) {
+    said += fmt::format("{}: left out: {}\n", point, problem);
+    return false;
+  }
+  said += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
+  if (!last) return false;
+  Table table = table_of(last->so_far);
+  write_table(copy.file(point + ".dat"), table);
+  if (last->slide && !last->slide->complete_profiles.columns.empty()) {
+    table.series = last->slide->complete_profiles;
+    write_table(copy.file(point + "_profiles.dat"), table);
+  }
+  write_result(copy.file(point + ".h5"), last->so_far);
+  return true;
+}
+
+}  // namespace
+
+std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
+                        const std::map<std::string, RunIdentity>& points) {
+  std::string said;
+  bool any = false;
+  for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, said) || any;
+  if (!any)
+    throw ConfigurationError(
+        fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
+                    "written every --checkpoint-interval\n{}",
+                    output.path().string(), said));
+  return said;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "run/status.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "configuration/canonical.hpp"
+#include "process/progress.hpp"
+#include "record/file_lock.hpp"
+#include "run/point_checkpoints.hpp"
+#include "sample_library/sample_health.hpp"
+
+namespace flowslide {
+namespace {
+
+std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
+
+void read_last_checkpoint(const CheckpointStore& store, const RunIdentity& identity, PointStatus& status) {
+  const auto last = store.last_write();
+  if (!last) return;
+  const std::chrono::duration<double> age = std::filesystem::file_time_type::clock::now() - *last;
+  status.age = std::max(0.0, age.count());
+  try {
+    store.read_newest(
+        [&](const hdf5::Group& root) {
+          const Checkpoint checkpoint = read_checkpoint(root);
+          const std::string difference = identity.difference_from(RunIdentity(checkpoint.so_far));
+          status.state = difference.empty() ? "stopped" : "outdated";
+          status.place = difference.empty() ? place_of(checkpoint) : difference;
+          status.share_done = checkpoint.share_done;
+          status.sample = health_line(checkpoint.so_far.metrics);
+        },
+        [](std::string_view) {});
+  } catch (const CorruptFileError&) {
+    status.state = "stopped";
+    status.place = "its checkpoints are damaged";
+  }
+}
+
+}  // namespace
+
+PointStatus status_of(const OutputFolder& output, const std::string& point, const RunIdentity& identity) {
+  PointStatus status{point, "not begun", "", 0.0, 0.0, ""};
+  const auto file = output.file(point + OutputFolder::result_end);
+  const FoundResult found = find_result(file, identity);
+  switch (found.standing) {
+    case Standing::complete: return {point, "complete", "", 1.0, 0.0, health_line(read_result(file).metrics)};
+    case Standing::damaged: return {point, "damaged", "", 0.0, 0.0, ""};
+    case Standing::other: return {point, "outdated", found.problem, 0.0, 0.0, ""};
+    case Standing::absent: break;
+  }
+  if (output.noted(point) == identity.text()) status.state = "begun";
+  read_last_checkpoint(output.checkpoints(point), identity, status);
+  if (FileLock::is_held(output.lock_path(point))) status.state = "running";
+  return status;
+}
+
+std::string status_table(const std::vector<PointStatus>& points) {
+  std::size_t width = 5;
+  for (const PointStatus& point : points) width = std::max(width, point.point.size());
+  std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "point", width, "state",
+                                 "done", "kept before");
+  for (const PointStatus& point : points) {
+    text +=
+        fmt::format("{:{}}  {:9}  {:>3.0f} %  {:>12}  {}\n", point.point, width, point.state, 100.0 * point.share_done,
+                    point.age > 0.0 ? duration_text(point.age) : "-", point.place.empty() ? "-" : point.place);
+  }
+  for (const PointStatus& point : points)
+    if (!point.sample.empty()) text += fmt::format("sample of {}: {}\n", point.point, point.sample);
+  return text;
+}
+
+std::string status_json(const std::vector<PointStatus>& points) {
+  std::string text = "{\"points\": [";
+  for (const PointStatus& point : points)
+    text += fmt::format(
+        "{}\n  {{\"name\": {}, \"state\": {}, \"share_done\": {:.3f}, \"checkpoint_age\": {:.1f}, "
+        "\"place\": {}, \"sample\": {}}}",
+        &point == &points.front() ? "" : ",", quoted(point.point), quoted(point.state), point.share_done, point.age,
+        quoted(point.place), quoted(point.sample));
+  return text + "\n]}\n";
+}
+
+}  // namespace flowslide

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "sample_library/sample_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "process/ranks.hpp"
+#include "record/hash.hpp"
+#include "record/sample_store.hpp"
+#include "run/run_identity.hpp"
+#include "sample/failure.hpp"
+#include "sample_library/sample_health.hpp"
+
+namespace flowslide {
+namespace {
+
+/// A rough count, for the progress line alone: a preparation takes 120 000 to 250 000 steps.
+constexpr std::int64_t typical_steps = 200'000;
+
+/// While another process prepares the same sample.
+constexpr std::chrono::milliseconds time_between_tries{50};
+
+double metric(const StoredSample& stored, const std::string& name) {
+  for (const Metric& candidate : stored.metrics)
+    if (candidate.name == name) return candidate.value;
+  throw CorruptFileError("has no '" + name + "': it is of another version; delete it, and it will be prepared again");
+}
+
+StoredSample stored(const PreparedSample& sample, const std::string& recipe) {
+  const auto pascal = [](const char* name, double value, const char* text) { return Metric{name, value, "Pa", text}; };
+  return {recipe,
+          sample.assembly,
+          {{"void_ratio", sample.void_ratio, "1", "void ratio of the cell"},
+           {"bulk_void_ratio", sample.bulk_void_ratio, "1", "void ratio away from the glued layers"},
+           {"kinetic_number", sample.kinetic_number, "1", "mean kinetic energy of a grain over p D^3"},
+           {"steps", static_cast<double>(sample.steps), "1", "steps of the preparation"},
+           pascal("normal_stress", sample.stress.normal, "normal stress at rest"),
+           pascal("shear_stress", sample.stress.shear, "shear stress at rest"),
+           pascal("transverse_stress", sample.stress.transverse, "transverse shear stress at rest"),
+           pascal("lateral_stress_x", sample.stress.lateral_x, "lateral stress along x at rest"),
+           pascal("lateral_stress_y", sample.stress.lateral_y, "lateral stress along y at rest")}};
+}
+
+PreparedSample prepared(const StoredSample& stored) {
+  PreparedSample sample;
+  sample.assembly = stored.assembly;
+  sample.stress = {metric(stored, "normal_stress"), metric(stored, "shear_stress"),
+                   metric(stored, "transverse_stress"), metric(stored, "lateral_stress_x"),
+                   metric(stored, "lateral_stress_y")};
+  sample.void_ratio = metric(stored, "void_ratio");
+  sample.bulk_void_ratio = metric(stored, "bulk_void_ratio");
+  sample.kinetic_number = metric(stored, "kinetic_number");
+  sample.steps = static_cast<std::int64_t>(metric(stored, "steps"));
+  return sample;
+}
+
+/// The lock of a sample on the first rank, once no other process holds it. Says so once if it has to wait.
+std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const std::string& label,
+                                 const ProgressStyle& style, const PreparationBorder& border) {
+  std::optional<FileLock> lock;
+  for (bool said = false;; said = true) {
+    on_first_rank([&] {
+      try {
+        lock = store.try_lock(key);
+      } catch (const FileError& error) {
+        throw FileError(
+            fmt::format("{}: it is not in the cache and cannot be prepared there: {}; set FLOWSLIDE_CACHE to "
+                        "a folder that has it or may be written",
+                        label, error.what()));
+      }
+      if (!lock && !said)
+        style.say(fmt::format("{}: waits for {}, which prepares this sample ({})", label, store.holder(key), key));
+    });
+    if (same_on_all_ranks(lock.has_value())) return lock;
+    if (border) border([] { return false; });
+    std::this_thread::sleep_for(time_between_tries);
+  }
+}
+
+/// Makes the folder of the cache and says so. One that cannot be made is the store's to refuse.
+void say_if_new(const std::filesystem::path& cache, const ProgressStyle& style) {
+  std::error_code failure;
+  if (!std::filesystem::create_directories(cache, failure) || style.silent) return;
+  std::ostream& out = style.stream != nullptr ? *style.stream : std::cerr;
+  out << fmt::format("flowslide: prepared samples are kept in {}, a new folder; set FLOWSLIDE_CACHE to use another\n",
+                     std::filesystem::absolute(cache, failure).string());
+}
+
+PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
+                                     const ProgressStyle& style, PreparationCheckpoints& checkpoints,
+                                     const PreparationBorder& border) {
+  const std::optional<PreparationState> from = checkpoints.find();
+  const std::int64_t done = from ? from->steps : 0;
+  Progress progress(label, std::max(typical_steps, done), style, done);
+  if (from) progress.message(fmt::format("{}: goes on in {}", label, name_of_stage(from->stage)));
+  const auto observe = [&](const PreparationProgress& now) {
+    if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
+    progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
+                                           now.stress.normal));
+    if (border) border([&] { return checkpoints.keep(now.state()); });
+  };
+  try {
+    PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+    progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
+    return sample;
+  } catch (const NumericalFailure& failure) {
+    progress.message(fmt::format("{}: failed: {}", label, failure.what()));
+    throw;
+  }
+}
+
+/// What is kept of a preparation that failed. The steps that it had are no part of a sample's key: one that is complete
+/// needed no more of them.
+FailedSample failed(const SampleRecipe& recipe, const std::string& reason) {
+  return {fmt::format("{}most_steps = {}\n", recipe.text(), recipe.most_steps), reason};
+}
+
+/// The way from a recipe to its sample: out of the cache, or by a preparation that is kept there.
+struct Trials {
+  Engine& engine;
+  const SampleStore& store;
+  const std::filesystem::path& folder;
+  const ProgressStyle& style;
+  const PreparationBorder& border;
+
+  PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
+    const std::string key = cache_key(recipe, preparation_identity(engine.name(), engine.version()));
+    // First without a lock: the cache may be another user's, or read-only.
+    if (auto kept = find(recipe, key)) return *std::move(kept);
+    on_first_rank([&] { say_if_new(folder, style); });
+    const std::optional<FileLock> lock = wait_for(store, key, label, style, border);
+    if (auto kept = find(recipe, key)) return *std::move(kept);
+    PreparationCheckpoints checkpoints(folder, key);
+    try {
+      PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
+      on_first_rank([&] { store.put(key, stored(made, recipe.text())); });
+      checkpoints.remove();
+      return made;
+    } catch (const NumericalFailure& failure) {
+      on_first_rank([&] { store.put_failure(key, failed(recipe, failure.what())); });
+      checkpoints.remove();
+      throw;
+    }
+  }
+
+  /// The sample, if it is there. Throws NumericalFailure if its preparation is known to fail.
+  std::optional<PreparedSample> find(const SampleRecipe& recipe, const std::string& key) const {
+    bool is_there = false, has_failed = false;
+    on_first_rank([&] {
+      is_there = store.has(key);
+      has_failed = !is_there && store.has_failure(key);
+    });
+    if (same_on_all_ranks(is_there)) {
+      const std::optional<StoredSample> kept = store.find(key);
+      if (!kept) throw FileError(fmt::format("{} has gone while it was looked for", store.path(key).string()));
+      try {
+        return prepared(*kept);
+      } catch (const CorruptFileError& error) {
+        throw CorruptFileError(store.path(key).string() + " " + error.what());
+      }
+    }
+    if (!same_on_all_ranks(has_failed)) return std::nullopt;
+    const std::optional<FailedSample> known = store.find_failure(key);
+    if (known && known->recipe == failed(recipe, {}).recipe) throw NumericalFailure(known->reason);
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::vector<Metric> metrics_of(const FoundSample& found) {
+  std::vector<Metric> metrics{
+      {"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
+      {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1", "void ratio a mean diameter away from the planes"},
+      {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
+      {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
+      {"mixing_velocity", found.recipe.mixing_velocity, "m/s",
+       found.recipe.mixing_velocity > 0.0 ? "of the grains before stage 1" : "lattice: not mixed before stage 1"},
+      {"preparation_trials", static_cast<double>(found.trials), "1", "samples prepared for this one"}};
+  for (Metric& metric : metrics_of(found.health)) metrics.push_back(std::move(metric));
+  return metrics;
+}
+
+std::filesystem::path sample_cache_folder() {
+  const char* folder = std::getenv("FLOWSLIDE_CACHE");
+  return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path("cache");
+}
+
+std::string cache_key(const SampleRecipe& recipe, const std::string& preparation) {
+  return hash_of(recipe.text() + "preparation = " + preparation + "\n");
+}
+
+FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
+                        const ProgressStyle& style, const PreparationBorder& border) {
+  const SampleStore store(cache);
+  const Trials trials{engine, store, cache, style, border};
+  FoundSample found;
+  const auto prepare = [&](const SampleRecipe& recipe) {
+    found.sample = trials.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
+                                                     specification.target.void_ratio, found.trials + 1));
+    ++found.trials;
+    found.health = packing_health(found.sample.assembly, recipe);
+    if (const std::string uneven = unevenness(found.health); !uneven.empty() && !specification.allow_uneven)
+      throw NumericalFailure(fmt::format("sample {}, seed {}: {}", specification.name, recipe.packing.seed, uneven));
+    return found.sample.void_ratio;
+  };
+  found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;
+  found.name = specification.name + " " + cache_key(found.recipe, engine.name() + " " + engine.version());
+  return found;
+}
+
+}  // namespace flowslide

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "experiment/shear_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dem/make_engine.hpp"
+#include "record/same_bits.hpp"
+#include "support/touching_lattice.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr double time_step = 2e-6;  // a tenth of the Rayleigh time of the lattice's grains
+
+TEST(ElementTestSteps, ReachTheFinalStrain) {
+  EXPECT_EQ((ElementTest{0.06, 0.5, 500}.steps(5e-7)), 16'666'667);  // 0.5 / (0.06 * 5e-7) = 16 666 666.7
+  EXPECT_EQ((ElementTest{0.25, 0.5, 500}.steps(1e-5)), 200'000);
+  EXPECT_EQ((ElementTest{1.0, 1e-9, 500}.steps(1e-5)), 1);  // not none
+}
+
+TEST(ElementTestSteps, RefuseMoreThanCanBeCounted) {
+  // 0.5 / (1e-20 * 5e-7) = 1e26 steps: beyond 64 bits, where rounding would make one step of them.
+  EXPECT_THROW((ElementTest{1e-20, 0.5, 500}.steps(5e-7)), std::invalid_argument);
+  EXPECT_THROW((ElementTest{0.0, 0.5, 500}.steps(5e-7)), std::invalid_argument);
+}
+
+TEST(ElementTestRows, IncreaseFromZeroToTheLastStep) {
+  for (const ElementTest& test : {ElementTest{0.06, 0.5, 500}, ElementTest{0.2, 0.5, 300}, ElementTest{1.0, 0.01, 500},
+                                  ElementTest{1.0, 1e-9, 10}}) {
+    const auto rows = test.row_steps(1e-5);
+    EXPECT_EQ(rows.front(), 0);
+    EXPECT_EQ(rows.back(), test.steps(1e-5));
+    EXPECT_TRUE(std::adjacent_find(rows.begin(), rows.end(), std::greater_equal<>()) == rows.end());
+    EXPECT_LE(rows.size(), static_cast<std::size_t>(test.rows) + 1);
+  }
+}
+
+TEST(ElementTestRows, StandAtTheSquaresOfTheirNumbers) {
+  const ElementTest test{1.0, 1.0, 10};
+  const std::vector<std::int64_t> squares{0, 1, 4, 9, 16, 25, 36, 49, 64, 81, 100};
+  EXPECT_EQ(test.row_steps(0.01), squares);  // 100 steps
+  std::vector<std::int64_t> longer = squares;
+  for (std::int64_t& step : longer) step *= 1000;
+  EXPECT_EQ(test.row_steps(1e-5), longer);
+  // Where two fall on one step, it has one row: 4 steps in 10 rows are 0.04, 0.16, ... rounded.
+  EXPECT_EQ(test.row_steps(0.25), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+}
+
+TEST(ElementTestSeries, NamesEveryColumnOnce) {
+  const Series series = element_test_series();
+  EXPECT_NO_THROW(series.check());
+  EXPECT_EQ(series.rows(), 0U);
+  EXPECT_EQ(series.columns.size(), 12U);
+  for (const char* name : {"shear_strain", "shear_stress", "normal_stress", "mean_stress", "inertial_number"})
+    EXPECT_NO_THROW(series.column(name)) << name;
+}
+
+/// A short test of a small lattice, recorded once for all that is asked of it.
+class RecordOfALattice : public testing::Test {
+ protected:
+  static constexpr double rate = 5.0;
+  RecordOfALattice() {
+    const auto observe = [&](std::int64_t steps, const Assembly& assembly, const ElementTestRecord& record) {
+      observed_steps_.push_back(steps);
+      observed_rows_.push_back(record.rows.rows());
+      grains_ = assembly.size();
+    };
+    record_ = run_element_test(sample_, test_, observe);
+    series_ = record_.rows;
+  }
+  const std::vector<double>& column(const char* name) const { return series_.column(name).values; }
+
+  /// The lattice after some steps, so that it knows the forces on its grains, as a prepared sample does.
+  static Assembly settled(Engine& engine) {
+    DemSample sample(engine, touching_lattice(), {Material{}, time_step, 0.0});
+    sample.strain({{0.0, 0.0}, 20, time_step});
+    return sample.assembly();
+  }
+
+  const ElementTest test_{rate, rate * 400 * time_step, 10};
+  std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "element_test.log");
+  const Assembly lattice_ = settled(*engine_);
+  DemSample sample_{*engine_, lattice_, {Material{}, time_step, 0.0}};
+  const CellStress stress_before_ = sample_.stress();
+  ElementTestRecord record_;
+  Series series_;
+  std::vector<std::int64_t> observed_steps_;
+  std::vector<std::size_t> observed_rows_;
+  std::size_t grains_ = 0;
+};
+
+TEST_F(RecordOfALattice, HasEveryRowAndTellsItsObserver) {
+  const auto steps = test_.row_steps(time_step);
+  ASSERT_EQ(steps.back(), 400);
+  ASSERT_EQ(series_.rows(), steps.size());
+  EXPECT_EQ(observed_steps_, steps);
+  EXPECT_EQ(grains_, lattice_.size());
+  for (std::size_t row = 0; row < steps.size(); ++row) {
+    EXPECT_EQ(observed_rows_[row], row + 1);
+    // Sums of ten products: rounding.
+    EXPECT_NEAR(series_.axis.values[row], static_cast<double>(steps[row]) * time_step, 1e-15);
+    EXPECT_NEAR(column("shear_strain")[row], rate * static_cast<double>(steps[row]) * time_step, 1e-15);
+  }
+  EXPECT_NO_THROW(series_.check());  // all finite
+}
+
+TEST_F(RecordOfALattice, HasTheStressThatBagiGives) {
+  const double scale = *std::max_element(column("normal_stress").begin(), column("normal_stress").end());
+  ASSERT_GT(scale, 1e3);  // it carries stress, Pa
+  // Not in the first row: it has the sudden velocities, but the forces of the last step without them.
+  for (std::size_t row = 1; row < series_.rows(); ++row) {
+    // The same contact forces, summed over contacts and over grains and boundaries. 1e-9: rounding of sums of some
+    // thousand terms that cancel in part.
+    EXPECT_NEAR(column("bagi_shear_stress")[row], column("shear_stress")[row], 1e-9 * scale) << row;
+    EXPECT_NEAR(column("bagi_normal_stress")[row], column("normal_stress")[row], 1e-9 * scale) << row;
+  }
+}
+
+TEST_F(RecordOfALattice, BeginsWithTheStressAtRest) {
+  ASSERT_GT(stress_before_.normal, 1e3);  // Pa
+  // Loading what was saved changes nothing but rounding.
+  EXPECT_NEAR(column("normal_stress").front(), stress_before_.normal, 1e-12 * stress_before_.normal);
+  EXPECT_NEAR(column("shear_stress").front(), stress_before_.shear, 1e-12 * stress_before_.normal);
+}
+
+TEST_F(RecordOfALattice, IsShearedDownslopeAtConstantVolume) {
+  EXPECT_GT(column("shear_stress").back() - column("shear_stress").front(), 100.0);  // Pa; positive resists
+  const double solid = lattice_.solid_volume();
+  for (const double e : column("void_ratio")) EXPECT_NEAR(e, lattice_.cell.volume() / solid - 1.0, 1e-12);  // rounding
+}
+
+TEST_F(RecordOfALattice, HasAFiniteInertialNumberOfTheBulk) {
+  for (std::size_t row = 0; row < series_.rows(); ++row) {
+    const double pressure = column("mean_stress")[row], number = column("inertial_number")[row];
+    ASSERT_GT(pressure, 0.0) << row;
+    // I = gamma_dot D sqrt(rho / p), by hand; rounding.
+    EXPECT_NEAR(number, rate * lattice_.mean_diameter() * std::sqrt(2650.0 / pressure), 1e-12 * number) << row;
+    EXPECT_GE(column("kinetic_normal_stress")[row], 0.0);
+  }
+}
+
+TEST(ElementTestRecord, GoesOnFromAnyRowWithTheSameBits) {
+  const auto start = [](Engine& engine) {
+    return DemSample(engine, touching_lattice(), {Material{}, time_step, 0.0});
+  };
+  const ElementTest test{5.0, 5.0 * 200 * time_step, 10};
+  const auto engine = make_engine("native", "/dev/null");
+  DemSample whole = start(*engine);
+  const ElementTestRecord expected = run_element_test(whole, test);
+  for (const std::size_t stop : {1U, 4U, 10U}) {
+    struct Enough {};
+    DemSample first = start(*engine);
+    ElementTestRecord kept;
+    SampleState state;
+    try {
+      run_element_test(first, test, [&](std::int64_t, const Assembly&, const ElementTestRecord& so_far) {
+        if (so_far.rows.rows() < stop) return;
+        kept = so_far;
+        state = first.state();
+        throw Enough{};
+      });
+    } catch (const Enough&) {
+    }
+    ASSERT_EQ(kept.rows.rows(), stop);
+    const auto other = make_engine("native", "/dev/null");
+    DemSample second = start(*other);
+    second.restore(state);
+    const ElementTestRecord record = run_element_test(second, test, {}, kept);
+    expect_same_bits(record.rows, expected.rows);
+    expect_same_bits(record.measured, expected.measured);
+  }
+}
+
+TEST(ElementTestRecord, MeasuresTheSameWhateverRowsAreKept) {
+  const auto measured = [](int rows) {
+    const auto engine = make_engine("native", "/dev/null");
+    DemSample sample(*engine, touching_lattice(), {Material{}, time_step, 0.0});
+    return run_element_test(sample, {5.0, 5.0 * 700 * time_step, rows}).measured;
+  };
+  const Series few = measured(10), many = measured(470);
+  EXPECT_EQ(few.rows(), (ElementTest{5.0, 5.0 * 700 * time_step, 10}.measured_steps(time_step).size()));
+  expect_same_bits(few, many);
+}
+
+TEST(ElementTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
+  Assembly gas = touching_lattice();
+  for (double& radius : gas.radius) radius *= 0.9;
+  const auto engine = make_engine("liggghts", testing::TempDir() + "element_test.log");
+  DemSample sample(*engine, gas, {Material{}, time_step, 0.0});
+  const Series series = run_element_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
+  EXPECT_NO_THROW(series.check());
+  EXPECT_EQ(series.column("normal_stress").values.back(), 0.0);
+  // Velocities of 1 mm/s in 30 % solid: some 1e-4 Pa, and so a number above that of any packing.
+  EXPECT_GT(series.column("mean_stress").values.back(), 0.0);
+  EXPECT_GT(series.column("inertial_number").values.back(), 10.0);
+}
+
+}  // namespace
+}  // namespace flowslide
