@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "record/atomic_file.hpp"
 #include "record/result_file.hpp"
 #include "sample_library/sample_health.hpp"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "configuration/error.hpp"
+#include "process/exit_code.hpp"
 #include "program/run_main.hpp"
 #include "record/atomic_file.hpp"
 #include "report/page.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "configuration/error.hpp"
 #include "configuration/tables.hpp"
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
@@ -15,7 +16,6 @@
 #include "process/ranks.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
-#include "program/run_main.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"
 #include "record/result_file.hpp"

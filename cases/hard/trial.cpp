@@ -8,8 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "configuration/error.hpp"
 #include "dem/engine.hpp"
-#include "program/run_main.hpp"
 #include "sample/failure.hpp"
 
 namespace flowslide {

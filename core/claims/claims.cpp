@@ -9,7 +9,6 @@
 #include <set>
 
 #include "configuration/configuration.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

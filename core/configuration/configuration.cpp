@@ -7,10 +7,10 @@
 
 #include "configuration/canonical.hpp"
 #include "configuration/entry_reader.hpp"
+#include "configuration/error.hpp"
 #include "configuration/nearest.hpp"
 #include "configuration/symbols.hpp"
 #include "configuration/value_check.hpp"
-#include "program/run_main.hpp"
 #include "record/hash.hpp"
 
 namespace flowslide {

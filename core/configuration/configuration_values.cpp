@@ -6,9 +6,9 @@
 
 #include "configuration/canonical.hpp"
 #include "configuration/configuration.hpp"
+#include "configuration/error.hpp"
 #include "configuration/nearest.hpp"
 #include "configuration/value_check.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <optional>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 
 namespace flowslide {
 namespace {

@@ -8,9 +8,9 @@
 #include <cctype>
 #include <utility>
 
+#include "configuration/error.hpp"
 #include "configuration/nesting.hpp"
 #include "configuration/text_file.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

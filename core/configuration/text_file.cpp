@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "record/atomic_file.hpp"
 
 namespace flowslide {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "configuration/error.hpp"
 #include "configuration/nearest.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "configuration/error.hpp"
 #include "dem/source_hashes.hpp"
-#include "program/run_main.hpp"
 #include "sample/critical_state_sample.hpp"
 #include "sample/elastic_sample.hpp"
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "configuration/error.hpp"
 #include "configuration/text_file.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "configuration/error.hpp"
 #include "input/read_fields.hpp"
-#include "program/run_main.hpp"
 #include "sample/health.hpp"
 
 namespace flowslide {

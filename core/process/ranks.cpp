@@ -8,8 +8,8 @@
 #include <exception>
 #include <thread>
 
-#include "dem/liggghts/instance.hpp"
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 
 namespace flowslide {
 namespace {
@@ -38,10 +38,10 @@ void on_first_rank(const std::function<void()>& action) {
       failure = std::current_exception();
     }
   }
-  int code = failure ? to_int(code_of(failure)) : to_int(ExitCode::ok);
-  MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  int failed = failure ? 1 : 0;
+  MPI_Bcast(&failed, 1, MPI_INT, 0, MPI_COMM_WORLD);
   if (failure) std::rethrow_exception(failure);
-  if (code != to_int(ExitCode::ok)) throw FirstRankFailed(static_cast<ExitCode>(code));
+  if (failed != 0) throw FirstRankFailed();
 }
 
 bool same_on_all_ranks(bool value) {

@@ -5,7 +5,7 @@
 namespace flowslide {
 
 /// Runs `action` on the first MPI rank while the others wait; for everything that touches files. What it throws, the
-/// first rank throws on, and the others FirstRankFailed with its exit code.
+/// first rank throws on, and the others FirstRankFailed.
 void on_first_rank(const std::function<void()>& action);
 
 /// What the first rank says, on all ranks.

@@ -10,8 +10,8 @@
 #include <array>
 #include <utility>
 
-#include "dem/liggghts/instance.hpp"
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 
 namespace flowslide {
 namespace {

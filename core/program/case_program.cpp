@@ -11,7 +11,9 @@
 
 #include "claims/claims.hpp"
 #include "configuration/canonical.hpp"
-#include "dem/liggghts/instance.hpp"
+#include "configuration/error.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
 #include "program/changed_settings.hpp"
 #include "program/file_names.hpp"

@@ -9,8 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "configuration/error.hpp"
 #include "configuration/nearest.hpp"
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 
 namespace flowslide {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "configuration/error.hpp"
 #include "program/case_program.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "record/result_file.hpp"
 
 namespace flowslide {

@@ -8,6 +8,7 @@
 #include <new>
 #include <system_error>
 
+#include "configuration/error.hpp"
 #include "dem/engine.hpp"
 #include "record/atomic_file.hpp"
 #include "sample/failure.hpp"
@@ -60,9 +61,9 @@ ExitCode code_of(const std::exception_ptr& failure) noexcept {
     std::rethrow_exception(failure);
   } catch (const Stopped& stopped) {
     return stopped.code();
-  } catch (const FirstRankFailed& elsewhere) {
-    return elsewhere.code();
   } catch (const ConfigurationError&) {
+    return ExitCode::configuration;
+  } catch (const Refused&) {
     return ExitCode::configuration;
   } catch (const FileError&) {
     return ExitCode::configuration;
@@ -86,8 +87,8 @@ int run_main(const std::function<int()>& body, int rank) noexcept {
   } catch (const FinishedEarly& finished) {
     if (rank == 0) std::fputs(finished.what(), stdout);
     return with_output_written(to_int(ExitCode::ok), rank);
-  } catch (const FirstRankFailed& elsewhere) {
-    return to_int(elsewhere.code());
+  } catch (const FirstRankFailed&) {
+    return to_int(code_of(std::current_exception()));
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
     const ExitCode code = code_of(failure);

@@ -9,13 +9,13 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
 #include "input/read_closed_form_sample.hpp"
 #include "input/read_coupling.hpp"
 #include "process/ranks.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
-#include "program/run_main.hpp"
 #include "program/slide_progress.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
 #include "input/read_shear_test.hpp"
 #include "program/plan.hpp"
-#include "program/run_main.hpp"
 #include "program/slide_parameters.hpp"
 
 namespace flowslide {

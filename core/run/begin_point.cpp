@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 
 namespace flowslide {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& difference) {
-  throw ConfigurationError(
+  throw Refused(
       fmt::format("{} of another run ({}), and is not overwritten; {}", what, difference, begin_anew));
 }
 

@@ -13,7 +13,7 @@ struct BegunPoint {
   bool complete;  ///< its result is there, of this run: nothing is left to do
 };
 
-/// Takes the lock of a point and notes the identity that it is begun with. Throws ConfigurationError if another process
+/// Takes the lock of a point and notes the identity that it is begun with. Throws Refused if another process
 /// holds the lock, or if there is a result or a checkpoint of another run, and CorruptFileError if the result is
 /// damaged. With `afresh`, checkpoints and such a result are removed instead; a complete result of this run is kept.
 BegunPoint begin_point(const OutputFolder& output, const std::string& point, const RunIdentity& identity, bool afresh);

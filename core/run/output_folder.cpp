@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "record/atomic_file.hpp"
 
 namespace flowslide {
@@ -28,7 +28,7 @@ constexpr const char* mark_folder = ".flowslide";
 constexpr const char* case_file = "case";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& problem) {
-  throw ConfigurationError(
+  throw Refused(
       fmt::format("the output folder {} {}; choose another with --output", path.string(), problem));
 }
 

@@ -22,7 +22,7 @@ class OutputFolder {
   /// Ends of the names of all files and folders that cases write for a point; the first is that of its result.
   static constexpr std::array point_ends{result_end, ".dat", "_profiles.dat", "_details.dat", ".md", ".pvd", "_frames"};
 
-  /// Creates the folder where it is absent, and marks it. Throws ConfigurationError, before anything is written, when
+  /// Creates the folder where it is absent, and marks it. Throws Refused, before anything is written, when
   /// the path is no folder, cannot be written, holds files but no mark of this program, or belongs to another case.
   static OutputFolder open(const std::filesystem::path& path, const std::string& case_name);
   /// The same without writing anything, for --check: the folder must be there and marked.
@@ -37,7 +37,7 @@ class OutputFolder {
   void leave_out(const std::string& point) { left_out_.insert(point); }
 
   /// The lock of a point, to be held while it runs. Removes what an ended process left half written. Throws
-  /// ConfigurationError if another process holds it, and std::invalid_argument unless `point` is letters, digits, "_",
+  /// Refused if another process holds it, and std::invalid_argument unless `point` is letters, digits, "_",
   /// "-" and ".".
   [[nodiscard]] FileLock lock_point(const std::string& point) const;
   /// The text of the identity that a point was begun with (see RunIdentity); empty when it was not begun.

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "dem/liggghts/instance.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
-#include "program/run_main.hpp"
 
 namespace flowslide {
 namespace {
@@ -35,7 +35,7 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
   }
   const std::string difference = identity.difference_from(RunIdentity(found_->so_far));
   if (!difference.empty())
-    throw ConfigurationError(
+    throw Refused(
         fmt::format("the checkpoint {} is of another run ({}); {}", store_.path(0).string(), difference, begin_anew));
   say(fmt::format("{}: goes on from its checkpoint at {}", label(), place_of(*found_)));
 }

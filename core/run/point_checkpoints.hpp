@@ -16,7 +16,7 @@ namespace flowslide {
 class PointCheckpoints {
  public:
   /// Reads what there is to go on from; damaged files are told on stderr and the one before is used. Throws
-  /// ConfigurationError, with the difference, if it is of another run, and CorruptFileError if there are checkpoints
+  /// Refused, with the difference, if it is of another run, and CorruptFileError if there are checkpoints
   /// and none can be used.
   PointCheckpoints(CheckpointStore store, RunControl& control, const RunIdentity& identity);
 

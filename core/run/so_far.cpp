@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "record/gnuplot_table.hpp"
 #include "run/point_checkpoints.hpp"
 
@@ -72,7 +72,7 @@ std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
   bool any = false;
   for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, said) || any;
   if (!any)
-    throw ConfigurationError(
+    throw Refused(
         fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
                     "written every --checkpoint-interval\n{}",
                     output.path().string(), said));

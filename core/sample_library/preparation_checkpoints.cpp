@@ -6,7 +6,7 @@
 #include <iostream>
 #include <utility>
 
-#include "dem/liggghts/instance.hpp"
+#include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
 #include "record/assembly_group.hpp"
 #include "run/checkpoint.hpp"

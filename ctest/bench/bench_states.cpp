@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "dem/liggghts/instance.hpp"
 #include "dem/make_engine.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample_library/sample_cache.hpp"
 

@@ -16,8 +16,10 @@
 
 #include "bench_states.hpp"
 #include "bench_table.hpp"
-#include "dem/liggghts/instance.hpp"
+#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 #include "program/run_main.hpp"
 #include "sample/dem_sample.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "configuration/configuration.hpp"
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

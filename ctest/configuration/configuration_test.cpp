@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

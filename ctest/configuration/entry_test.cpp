@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "configuration/entry_reader.hpp"
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
-#include "program/run_main.hpp"
 #include "sample/failure.hpp"
 #include "sample/glued_layers.hpp"
 #include "support/messages.hpp"

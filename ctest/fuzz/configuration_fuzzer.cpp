@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "configuration/configuration.hpp"
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 
 namespace {
 

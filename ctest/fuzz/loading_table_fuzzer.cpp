@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "configuration/error.hpp"
 #include "input/read_loading_table.hpp"
-#include "program/run_main.hpp"
 #include "slope/driving_stress.hpp"
 
 namespace {

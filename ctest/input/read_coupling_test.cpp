@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "configuration/error.hpp"
 #include "grains/measures.hpp"
 #include "input/read_loading_table.hpp"
 #include "input/read_samples.hpp"
-#include "program/run_main.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

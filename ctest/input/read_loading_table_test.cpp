@@ -3,7 +3,7 @@
 
 #include <sys/stat.h>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/comma_locale.hpp"
 #include "support/messages.hpp"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/read_shear_test.hpp"
 
+#include "configuration/error.hpp"
 #include "grains/measures.hpp"
 #include "grains/packing.hpp"
-#include "program/run_main.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

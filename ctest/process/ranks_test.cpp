@@ -5,13 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-#include <string>
-#include <utility>
 
-#include "dem/liggghts/instance.hpp"
-#include "program/run_main.hpp"
-#include "record/atomic_file.hpp"
-#include "sample/failure.hpp"
+#include "process/exit_code.hpp"
+#include "process/mpi_session.hpp"
 
 namespace flowslide {
 namespace {
@@ -46,34 +42,6 @@ TEST(Ranks, FailTogether) {
   else
     EXPECT_THROW(fail(), FirstRankFailed);
   EXPECT_TRUE(same_on_all_ranks(true));  // and none of them waits for ever
-}
-
-/// The exit code of a program whose first rank meets that failure, and what this rank says of it.
-template <typename Exception>
-std::pair<int, std::string> end_of(const Exception& failure) {
-  testing::internal::CaptureStderr();
-  const int code = run_main(
-      [&]() -> int {
-        on_first_rank([&] { throw failure; });
-        return 0;
-      },
-      mpi_rank());
-  return {code, testing::internal::GetCapturedStderr()};
-}
-
-TEST(Ranks, LetTheFirstAloneSayWhatFailed) {
-  const auto [code, said] = end_of(ConfigurationError("no room on the disk"));
-  EXPECT_EQ(said, mpi_rank() == 0 ? "flowslide: no room on the disk\n" : "");
-  EXPECT_EQ(code, 2);
-}
-
-TEST(Ranks, ReturnTheCodeOfTheFirst) {
-  EXPECT_EQ(end_of(FileError("a")).first, 2);
-  EXPECT_EQ(end_of(NumericalFailure("a")).first, 3);
-  EXPECT_EQ(end_of(std::logic_error("a")).first, 70);
-  EXPECT_EQ(end_of(Stopped(ExitCode::resumable, "a")).first, 75);
-  EXPECT_EQ(end_of(Stopped(ExitCode::interrupted, "a")).first, 130);
-  EXPECT_EQ(end_of(42).first, 70);
 }
 
 TEST(Ranks, ReturnTheCodeOfTheOneThatFailed) {

@@ -5,7 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-#include "dem/liggghts/instance.hpp"
-#include "program/run_main.hpp"
+#include "process/mpi_session.hpp"
 #include "record/result_file.hpp"
 #include "sample/failure.hpp"
 #include "support/messages.hpp"

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
+#include "process/exit_code.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

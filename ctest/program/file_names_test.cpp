@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "program/file_names.hpp"
 
+#include "configuration/error.hpp"
 #include "program/case_program.hpp"
-#include "program/run_main.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "program/replicates.hpp"
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "record/result_file.hpp"
 #include "record/temporary_folder.hpp"
 #include "support/messages.hpp"

@@ -9,7 +9,10 @@
 #include <optional>
 #include <system_error>
 
+#include "configuration/error.hpp"
 #include "dem/engine.hpp"
+#include "process/mpi_session.hpp"
+#include "process/ranks.hpp"
 #include "record/atomic_file.hpp"
 #include "sample/failure.hpp"
 #include "support/messages.hpp"
@@ -38,17 +41,6 @@ Outcome outcome_of_throwing(const Exception& exception, int rank = 0) {
   return outcome_of([&]() -> int { throw exception; }, rank);
 }
 
-TEST(ExitCodes, AreThoseThatScriptsKnow) {
-  EXPECT_EQ(to_int(ExitCode::ok), 0);
-  EXPECT_EQ(to_int(ExitCode::output), 1);
-  EXPECT_EQ(to_int(ExitCode::configuration), 2);
-  EXPECT_EQ(to_int(ExitCode::numerical_failure), 3);
-  EXPECT_EQ(to_int(ExitCode::claim_not_met), 4);
-  EXPECT_EQ(to_int(ExitCode::defect), 70);
-  EXPECT_EQ(to_int(ExitCode::resumable), 75);
-  EXPECT_EQ(to_int(ExitCode::interrupted), 130);
-}
-
 TEST(RunMain, PassesTheResultOnInSilence) {
   const Outcome outcome = outcome_of([] { return to_int(ExitCode::claim_not_met); });
   EXPECT_EQ(outcome.code, 4);
@@ -57,6 +49,7 @@ TEST(RunMain, PassesTheResultOnInSilence) {
 
 TEST(RunMain, EndsWithTwoForWhatTheUserWroteOrTheMachineRefuses) {
   EXPECT_EQ(outcome_of_throwing(ConfigurationError("a")).code, 2);
+  EXPECT_EQ(outcome_of_throwing(Refused("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(FileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(CorruptFileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::filesystem::filesystem_error("a", std::error_code())).code, 2);
@@ -84,21 +77,38 @@ TEST(RunMain, EndsWithSeventyForADefectOfItsOwn) {
             "the whole command, its configuration files and what --version prints\n");
 }
 
-TEST(RunMain, EndsWithTheCodeOfTheFirstRankInSilence) {
-  const Outcome outcome = outcome_of_throwing(FirstRankFailed(ExitCode::numerical_failure), 1);
-  EXPECT_EQ(outcome.code, 3);
+TEST(RunMain, LeavesTheMessageOfTheFirstRankToIt) {
+  const Outcome outcome = outcome_of_throwing(FirstRankFailed(), 1);
+  EXPECT_NE(outcome.code, 0);  // see RunMainRanks for the code of the program
   EXPECT_EQ(outcome.error, "");
 }
 
-TEST(AsWrittenByUser, IsAnErrorOfTheConfigurationAtItsPlace) {
-  EXPECT_EQ(as_written_by_user("[slope]", [] { return 3; }), 3);
-  const auto fail = [](const std::string& place) {
-    return message_of<ConfigurationError>(
-        [&] { as_written_by_user(place, [] { throw std::invalid_argument("too steep"); }); });
-  };
-  EXPECT_EQ(fail("[slope]"), "[slope]: too steep");
-  EXPECT_EQ(fail(""), "too steep");
-  EXPECT_THROW(as_written_by_user("", [] { throw std::out_of_range("a"); }), std::out_of_range);
+/// The exit code of a program whose first rank meets that failure, and what this rank says of it.
+template <typename Exception>
+Outcome end_of(const Exception& failure) {
+  Outcome outcome = outcome_of(
+      [&]() -> int {
+        on_first_rank([&] { throw failure; });
+        return 0;
+      },
+      mpi_rank());
+  outcome.code = same_exit_code(outcome.code);
+  return outcome;
+}
+
+TEST(RunMainRanks, LetTheFirstAloneSayWhatFailed) {
+  const Outcome outcome = end_of(ConfigurationError("no room on the disk"));
+  EXPECT_EQ(outcome.error, mpi_rank() == 0 ? "flowslide: no room on the disk\n" : "");
+  EXPECT_EQ(outcome.code, 2);
+}
+
+TEST(RunMainRanks, ReturnTheCodeOfTheFirst) {
+  EXPECT_EQ(end_of(FileError("a")).code, 2);
+  EXPECT_EQ(end_of(NumericalFailure("a")).code, 3);
+  EXPECT_EQ(end_of(std::logic_error("a")).code, 70);
+  EXPECT_EQ(end_of(Stopped(ExitCode::resumable, "a")).code, 75);
+  EXPECT_EQ(end_of(Stopped(ExitCode::interrupted, "a")).code, 130);
+  EXPECT_EQ(end_of(42).code, 70);
 }
 
 /// Ends the process as a program ends whose standard output goes to `file`.

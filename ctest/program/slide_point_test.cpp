@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "program/slide_case_text.hpp"
 #include "support/messages.hpp"
 

@@ -2,7 +2,7 @@
 // What a case that slides makes of results: here with results that are made up, in place of runs.
 #include "program/slide_case.hpp"
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "program/slide_case_text.hpp"
 #include "record/gnuplot_table.hpp"
 #include "support/messages.hpp"

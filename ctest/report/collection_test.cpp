@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "project.hpp"
 
 namespace flowslide {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "run/begin_point.hpp"
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "record/damage.hpp"
 #include "run/example_checkpoint.hpp"
 #include "support/messages.hpp"
@@ -18,7 +18,7 @@ class BeginPoint : public testing::Test {
     return begin_point(output_, "loose", identity, afresh).complete;
   }
   std::string complaint(const RunIdentity& identity) const {
-    return message_of<ConfigurationError>([&] { complete(identity); });
+    return message_of<Refused>([&] { complete(identity); });
   }
   void write(const RunIdentity& identity) const {
     Result result = example_result();

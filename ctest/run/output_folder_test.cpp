@@ -7,7 +7,7 @@
 #include <csignal>
 #include <stdexcept>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string complaint(const fs::path& path, const std::string& case_name = "fig03") {
-  return message_of<ConfigurationError>([&] { OutputFolder::open(path, case_name); });
+  return message_of<Refused>([&] { OutputFolder::open(path, case_name); });
 }
 
 std::size_t count_of(const fs::path& folder) {
@@ -70,7 +70,7 @@ TEST(OutputFolder, RefusesWhatCannotBeWritten) {
 TEST(OutputFolder, IsOnlyReadForCheck) {
   const ScratchFolder scratch;
   const auto message = [&](const fs::path& path, const std::string& name) {
-    return message_of<ConfigurationError>([&] { OutputFolder::open_existing(path, name); });
+    return message_of<Refused>([&] { OutputFolder::open_existing(path, name); });
   };
   EXPECT_CONTAINS(message(scratch.path() / "none", "fig03"), "is not there: run the case first");
   EXPECT_FALSE(fs::exists(scratch.path() / "none"));
@@ -130,7 +130,7 @@ TEST(OutputFolder, LetsOneProcessRunAPoint) {
   const auto folder = OutputFolder::open(scratch.path(), "fig03");
   {
     const FileLock held = folder.lock_point("loose");
-    EXPECT_CONTAINS(message_of<ConfigurationError>([&] { const FileLock lock = folder.lock_point("loose"); }),
+    EXPECT_CONTAINS(message_of<Refused>([&] { const FileLock lock = folder.lock_point("loose"); }),
                     "is in use: another process runs the point \"loose\" there");
     EXPECT_NO_THROW({ const FileLock lock = folder.lock_point("dense"); });
   }

@@ -3,7 +3,7 @@
 
 #include <signal.h>
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "record/damage.hpp"
 #include "record/full_disk.hpp"
 #include "run/example_checkpoint.hpp"
@@ -51,7 +51,7 @@ TEST_F(PointCheckpointsTest, FindsWhatThereIsAndSaysSo) {
 }
 
 TEST_F(PointCheckpointsTest, RefusesThatOfAnotherRunWithTheDifference) {
-  const std::string message = message_of<ConfigurationError>([&] { open(of("[sample]\nseed = 8\n")); });
+  const std::string message = message_of<Refused>([&] { open(of("[sample]\nseed = 8\n")); });
   EXPECT_CONTAINS(message, "is of another run (seed = 7 there, 8 now)");
   EXPECT_CONTAINS(message, "--afresh");
 }

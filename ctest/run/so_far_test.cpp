@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "run/so_far.hpp"
 
-#include "program/run_main.hpp"
+#include "process/exit_code.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/same_bits.hpp"
 #include "run/example_checkpoint.hpp"
@@ -17,7 +17,7 @@ TEST(SoFar, HasWhatIsCompleteAndWhatIsKept) {
   const OutputFolder copy = OutputFolder::open(scratch.path() / "copy", "fig12");
   const RunIdentity identity{"fig12", "R", {}, "seed = 7\n"};
   const std::map<std::string, RunIdentity> points{{"RD", identity}, {"RI", identity}, {"RX", identity}};
-  EXPECT_THROW(copy_so_far(output, copy, points), ConfigurationError);
+  EXPECT_THROW(copy_so_far(output, copy, points), Refused);
 
   Result result = example_result();
   identity.stamp(result);

@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <memory>
@@ -21,48 +20,10 @@
 #include "dem/engine.hpp"
 #include "dem/liggghts/c_locale.hpp"
 #include "dem/liggghts/error_bridge.hpp"
+#include "process/mpi_session.hpp"
 
 namespace flowslide {
 namespace {
-
-class MpiSession {
- public:
-  MpiSession() {
-    int initialized = 0;
-    MPI_Initialized(&initialized);
-    if (initialized) return;
-    // A program without mpirun starts Open MPI's daemon, which looks for ssh in PATH and gives up where there is none,
-    // although it will never start anything on another machine.
-    ::setenv("OMPI_MCA_plm", "isolated", 0);
-    MPI_Init(nullptr, nullptr);
-    MPI_Comm_dup(MPI_COMM_WORLD, &at_end_);
-  }
-  ~MpiSession() {
-    int finalized = 0;
-    MPI_Finalized(&finalized);
-    if (at_end_ == MPI_COMM_NULL || finalized) return;
-    MPI_Comm_free(&at_end_);
-    MPI_Finalize();
-  }
-  MPI_Comm at_end() const { return at_end_; }
-
- private:
-  MPI_Comm at_end_ = MPI_COMM_NULL;  ///< null unless MPI was started here
-};
-
-const MpiSession& session() {
-  static const MpiSession the_session;
-  return the_session;
-}
-
-/// Whether other processes may belong to this one: a launcher such as mpirun has started it, or its host has started MPI.
-/// A process alone starts MPI, which takes a third of a second, only when LIGGGHTS needs it.
-bool may_have_ranks() {
-  static const bool launched = std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
-  int initialized = 0;
-  MPI_Initialized(&initialized);
-  return launched || initialized;
-}
 
 /// Instances that no engine uses, kept to be cleared and used again.
 std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
@@ -83,26 +44,6 @@ LAMMPS_NS::LAMMPS* start() {
 }
 
 }  // namespace
-
-void ensure_mpi() { session(); }
-
-MPI_Comm communicator_at_end() { return may_have_ranks() ? session().at_end() : MPI_COMM_NULL; }
-
-int mpi_rank() {
-  if (!may_have_ranks()) return 0;
-  ensure_mpi();
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank;
-}
-
-int mpi_ranks() {
-  if (!may_have_ranks()) return 1;
-  ensure_mpi();
-  int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  return ranks;
-}
 
 LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(log)) {
   ensure_mpi();

@@ -27,6 +27,7 @@
 #include "dem/liggghts/pair_histories.hpp"
 #include "dem/liggghts/steering_fix.hpp"
 #include "dem/source_hashes.hpp"
+#include "process/mpi_session.hpp"
 
 namespace flowslide {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "workshop.hpp"
 
-#include "program/run_main.hpp"
+#include "configuration/error.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -53,10 +53,5 @@ TEST(Instance, SaysWhichLogCannotBeWritten) {
   EXPECT_NO_THROW(LiggghtsInstance(testing::TempDir() + "one.log"));  // the instance is used again
 }
 
-TEST(Instance, KnowsItsPlaceAmongTheRanks) {
-  EXPECT_GE(mpi_rank(), 0);
-  EXPECT_LT(mpi_rank(), mpi_ranks());
-}
-
 }  // namespace
 }  // namespace flowslide
