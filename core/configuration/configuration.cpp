@@ -11,7 +11,6 @@
 #include "configuration/nearest.hpp"
 #include "configuration/symbols.hpp"
 #include "configuration/value_check.hpp"
-#include "record/hash.hpp"
 
 namespace flowslide {
 Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
@@ -256,7 +255,5 @@ std::string Configuration::resolved() const {
   for (const auto& [key, value] : lines) text += fmt::format("{} = {}\n", key, value);
   return text;
 }
-
-std::string Configuration::hash() const { return hash_of(resolved()); }
 
 }  // namespace flowslide

@@ -120,8 +120,6 @@ class Configuration {
   /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives
   /// the same configuration.
   std::string resolved() const;
-  /// XXH3, 128 bits, of resolved(), as 32 hexadecimal digits.
-  std::string hash() const;
 
  private:
   Configuration() = default;

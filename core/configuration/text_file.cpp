@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <fstream>
 #include <string_view>
 
 #include "configuration/error.hpp"
-#include "record/atomic_file.hpp"
 
 namespace flowslide {
 namespace {
@@ -29,12 +29,14 @@ std::string read_text_file(const std::filesystem::path& file, const std::string&
   if (std::filesystem::is_directory(status)) refuse(fmt::format("is a folder, but {} is needed", wanted));
   if (std::filesystem::is_other(status))
     refuse(fmt::format("is a pipe, a socket or a device, but {} is needed; write it to a file first", wanted));
+  std::ifstream stream(file, std::ios::binary);
   std::string text;
-  try {
-    text = read_file(file);
-  } catch (const FileError&) {
-    refuse("cannot be read; check the path and its permissions");
+  std::array<char, 65536> part;
+  while (stream) {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
+  if (!stream.is_open() || stream.bad()) refuse("cannot be read; check the path and its permissions");
   for (const std::string_view mark : marks_of_others)
     if (text.starts_with(mark)) refuse("is UTF-16 or UTF-32; save it as UTF-8");
   if (text.starts_with(mark_of_utf8)) text.erase(0, mark_of_utf8.size());

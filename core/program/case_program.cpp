@@ -19,6 +19,7 @@
 #include "program/file_names.hpp"
 #include "program/run_main.hpp"
 #include "record/atomic_file.hpp"
+#include "record/hash.hpp"
 #include "record/result_file.hpp"
 #include "run/begin_point.hpp"
 #include "run/cost.hpp"
@@ -113,7 +114,7 @@ class CaseProgram {
   int plan() const {
     std::ostream nowhere(nullptr);
     std::ostream& out = first_rank() ? std::cout : nowhere;
-    out << "# resolved configuration, hash " << configuration_.hash() << "\n"
+    out << "# resolved configuration, hash " << hash_of(configuration_.resolved()) << "\n"
         << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
     out << configuration_.resolved();
