@@ -12,6 +12,7 @@
 #include "curve_metrics.hpp"
 #include "dem/make_engine.hpp"
 #include "experiment/ensemble.hpp"
+#include "input/read_samples.hpp"
 #include "input/read_shear_test.hpp"
 #include "process/ranks.hpp"
 #include "program/plan.hpp"

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "experiment/shear_test.hpp"
-#include "input/read_samples.hpp"
 #include "pictures.hpp"
 #include "program/case_program.hpp"
 #include "record/result_file.hpp"
+#include "sample/specification.hpp"
 #include "sample_library/sample_cache.hpp"
 
 namespace flowslide {

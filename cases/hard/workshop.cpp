@@ -4,6 +4,7 @@
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
+#include "input/read_samples.hpp"
 #include "sample_library/sample_cache.hpp"
 
 namespace flowslide {

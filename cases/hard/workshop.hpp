@@ -9,9 +9,9 @@
 #include "configuration/configuration.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
-#include "input/read_samples.hpp"
 #include "program/case_program.hpp"
 #include "sample/preparation.hpp"
+#include "sample/specification.hpp"
 
 namespace flowslide {
 

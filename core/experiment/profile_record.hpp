@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "configuration/configuration.hpp"
 #include "record/series.hpp"
 #include "sample/dem_sample.hpp"
 
@@ -16,10 +15,6 @@ struct ProfilePlan {
   double window = 0.0;           ///< that the snapshots are spread over, as a share of the strain where it begins
   std::vector<double> strains;   ///< shear strains of the layer at which the windows begin, growing; may be none
 };
-
-/// The list `strains_key`, and with it [profiles]: sublayers, snapshots, window. Without the list, no profiles. Throws
-/// ConfigurationError.
-ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key);
 
 /// One profile as far as its snapshots have been taken: sums over them, values per sublayer.
 struct ProfileSums {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/read_closed_form_sample.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <stdexcept>
-
 #include "configuration/error.hpp"
-#include "dem/source_hashes.hpp"
 #include "sample/critical_state_sample.hpp"
 #include "sample/elastic_sample.hpp"
 
@@ -45,20 +39,6 @@ CriticalStateProperties read_critical_state(const Configuration& configuration) 
 }
 
 }  // namespace
-
-std::vector<std::string> closed_form_sample_names() { return {"elastic", "critical_state"}; }
-
-bool is_closed_form(const std::string& name) {
-  const std::vector<std::string> names = closed_form_sample_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string closed_form_version(const std::string& name) {
-  const auto version = [](const char* hash) { return fmt::format("{} ({})", source_hashes::version, hash); };
-  if (name == "elastic") return version(source_hashes::elastic);
-  if (name == "critical_state") return version(source_hashes::critical_state);
-  throw std::invalid_argument("\"" + name + "\" is no closed-form sample; there are elastic and critical_state");
-}
 
 std::unique_ptr<Sample> read_closed_form_sample(const Configuration& configuration, const std::string& name,
                                                 const SlopeProperties& slope) {

@@ -3,21 +3,12 @@
 #pragma once
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "configuration/configuration.hpp"
 #include "sample/sample.hpp"
 #include "slope/statics.hpp"
 
 namespace flowslide {
-
-/// "elastic" and "critical_state": what may be given where an engine is, and the tables that hold their values.
-std::vector<std::string> closed_form_sample_names();
-bool is_closed_form(const std::string& name);
-
-/// The version of this project and a hash of the sources of that sample: equal versions give equal results. Throws
-/// std::invalid_argument for a name that is none of them.
-std::string closed_form_version(const std::string& name);
 
 /// The sample of that name, in balance with the slope (eqs 8 and 9). [elastic]: shear_modulus, oedometric_modulus,
 /// viscosity, void_ratio. [critical_state]: the fields of CriticalStateProperties by their names, but for the stresses

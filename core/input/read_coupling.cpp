@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "configuration/tables.hpp"
+#include "experiment/loading_record.hpp"
 #include "input/read_loading_table.hpp"
 
 namespace flowslide {

@@ -10,8 +10,8 @@
 #include "configuration/tables.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
+#include "experiment/loading_record.hpp"
 #include "experiment/slide_run.hpp"
-#include "record/input_table.hpp"
 
 namespace flowslide {
 

@@ -5,8 +5,7 @@
 #include <string_view>
 
 #include "configuration/tables.hpp"
-#include "dem/drag_reference.hpp"
-#include "grains/fields.hpp"
+#include "sample/recipe.hpp"
 
 namespace flowslide {
 

@@ -72,16 +72,4 @@ StressTable loading_table_of(std::string_view text, const std::string& origin) {
   return table;
 }
 
-InputTable input_table(const std::string& file, const StressTable& table) {
-  Series rows;
-  rows.axis.values = table.time;
-  rows.columns = {
-      {"stress_change", "Delta tau_d", "Pa", "change of the driving shear stress", "positive downslope", table.change}};
-  return {"loading", file, std::move(rows)};
-}
-
-StressTable stress_table(const InputTable& input) {
-  return {input.rows.column("time").values, input.rows.column("stress_change").values};
-}
-
 }  // namespace flowslide

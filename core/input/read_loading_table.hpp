@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "record/input_table.hpp"
 #include "slope/driving_stress.hpp"
 
 namespace flowslide {
@@ -17,12 +16,5 @@ StressTable read_loading_table(const std::filesystem::path& file);
 
 /// The same from a text; `origin` stands for the file in messages.
 StressTable loading_table_of(std::string_view text, const std::string& origin);
-
-/// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
-/// configuration.
-InputTable input_table(const std::string& file, const StressTable& table);
-
-/// The table that input_table was given. Throws std::out_of_range if `input` has no such columns.
-StressTable stress_table(const InputTable& input);
 
 }  // namespace flowslide

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The parts of a configuration that all cases share, as the structures that they stand for.
 #pragma once
-#include <fmt/format.h>
+#include <vector>
 
 #include "configuration/configuration.hpp"
 #include "configuration/tables.hpp"
-#include "sample/recipe.hpp"
-#include "sample/void_ratio_search.hpp"
+#include "sample/specification.hpp"
 #include "slope/statics.hpp"
 
 namespace flowslide {
@@ -16,17 +15,6 @@ SlopeProperties read_slope(const Configuration& configuration);
 
 /// Table [material]: Table 1 and the rolling parameters that it leaves open.
 Material read_material(const Configuration& configuration, const TableNames& tables = "material");
-
-/// One sample that a case needs.
-struct SampleSpecification {
-  std::string name;          ///< its key below [sample]
-  SampleRecipe recipe;       ///< where the search for its void ratio starts
-  VoidRatioTarget target;
-  bool allow_uneven = false;  ///< whether samples are taken that are not as even as a random packing (see unevenness)
-
-  /// "e0_790_seed2": one for each sample of a configuration.
-  std::string label() const { return fmt::format("{}_seed{}", name, recipe.packing.seed); }
-};
 
 /// The tables [sample.<name>], made of [material] as [packing] and [preparation] say, to the stresses of the slope;
 /// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress;

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "input/read_samples.hpp"
+#include "sample/specification.hpp"
 #include "sample_library/sample_cache.hpp"
 
 namespace flowslide {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "input/read_samples.hpp"
 #include "record/provenance.hpp"
+#include "sample/specification.hpp"
 
 namespace flowslide {
 

@@ -13,12 +13,14 @@
 #include "dem/make_engine.hpp"
 #include "input/read_closed_form_sample.hpp"
 #include "input/read_coupling.hpp"
+#include "input/read_samples.hpp"
 #include "process/ranks.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
 #include "program/slide_progress.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"
+#include "sample/closed_form.hpp"
 
 namespace flowslide {
 namespace {

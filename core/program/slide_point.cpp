@@ -10,6 +10,8 @@
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
+#include "input/read_profile_plan.hpp"
+#include "input/read_samples.hpp"
 #include "input/read_shear_test.hpp"
 #include "program/plan.hpp"
 #include "program/slide_parameters.hpp"

@@ -7,8 +7,8 @@
 #include "experiment/profile_record.hpp"
 #include "experiment/shear_test.hpp"
 #include "experiment/slide_run.hpp"
-#include "input/read_samples.hpp"
 #include "program/case_program.hpp"
+#include "sample/specification.hpp"
 
 namespace flowslide {
 

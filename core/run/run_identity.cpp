@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "dem/make_engine.hpp"
-#include "input/read_closed_form_sample.hpp"
 #include "record/hash.hpp"
 #include "run/difference.hpp"
+#include "sample/closed_form.hpp"
 #include "sample/preparation.hpp"
 #include "sample/void_ratio_search.hpp"
 

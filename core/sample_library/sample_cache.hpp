@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "dem/engine.hpp"
-#include "input/read_samples.hpp"
 #include "process/progress.hpp"
 #include "record/series.hpp"
 #include "sample/packing_health.hpp"
 #include "sample/preparation.hpp"
+#include "sample/specification.hpp"
 #include "sample_library/preparation_checkpoints.hpp"
 
 namespace flowslide {

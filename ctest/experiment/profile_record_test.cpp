@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "sample/failure.hpp"
@@ -25,21 +24,6 @@ TEST(ProfileRecord, MeasuresHowStraightAProfileIs) {
   EXPECT_NEAR(linearity(profile({1.0, 3.0, 5.0, 7.0, 9.0}), "velocity_1"), 1.0, 1e-14);
   // Sums of squares about the means: 0.4, 0.8 and xy = 0.4 give 0.16 / 0.32.
   EXPECT_NEAR(linearity(profile({0.0, 0.0, 0.0, 0.0, 1.0}), "velocity_1"), 0.5, 1e-14);
-}
-
-TEST(ProfileRecord, ReadsItsPlan) {
-  const auto configuration = Configuration::from_text(
-      "[profiles]\nsublayers = 5\nsnapshots = 3\nwindow = 0.02\n[point.a]\nprofile_strains = [0.01, 0.5]\n"
-      "[point.b]\nprofile_strains = [0.5, 0.5]\n");
-  const ProfilePlan plan = read_profile_plan(configuration, "point.a.profile_strains");
-  EXPECT_EQ(plan.sublayers, 5);
-  EXPECT_EQ(plan.snapshots, 3);
-  EXPECT_EQ(plan.window, 0.02);
-  EXPECT_EQ(plan.strains, (std::vector{0.01, 0.5}));
-  EXPECT_TRUE(read_profile_plan(configuration, "point.c.profile_strains").strains.empty());
-  EXPECT_CONTAINS(
-      message_of<ConfigurationError>([&] { read_profile_plan(configuration, "point.b.profile_strains"); }),
-      "the strains do not grow");
 }
 
 /// Grains between glued layers, moving as simple shear does.

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "configuration/error.hpp"
+#include "experiment/loading_record.hpp"
 #include "input/read_loading_table.hpp"
 #include "slope/driving_stress.hpp"
 

@@ -2,6 +2,7 @@
 #include "input/read_closed_form_sample.hpp"
 
 #include "configuration/error.hpp"
+#include "sample/closed_form.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {
@@ -32,13 +33,6 @@ std::unique_ptr<Sample> sample_of(const std::string& name, const std::string& fr
   changed.replace(changed.find(from), from.size(), to);
   const auto configuration = Configuration::from_text(changed, "case.toml");
   return read_closed_form_sample(configuration, name, slope);
-}
-
-TEST(ClosedFormSamples, HaveAVersionEach) {
-  EXPECT_NE(closed_form_version("elastic"), closed_form_version("critical_state"));
-  EXPECT_THROW(closed_form_version("native"), std::invalid_argument);
-  for (const std::string& name : closed_form_sample_names()) EXPECT_TRUE(is_closed_form(name));
-  EXPECT_FALSE(is_closed_form("native"));
 }
 
 TEST(ReadClosedFormSample, IsInBalanceWithTheSlope) {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "configuration/error.hpp"
+#include "experiment/loading_record.hpp"
 #include "grains/measures.hpp"
-#include "input/read_loading_table.hpp"
 #include "input/read_samples.hpp"
 #include "support/messages.hpp"
 

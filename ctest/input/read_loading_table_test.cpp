@@ -87,16 +87,5 @@ TEST_F(LoadingTable, TakesNoHexadecimalNumberForADecimalOne) {
   EXPECT_CONTAINS(complaint("0 +-5\n"), "\"+-5\" is not a finite number");
 }
 
-TEST_F(LoadingTable, GoesIntoAResultAndBack) {
-  const StressTable table{{0.0, 0.5}, {-1.0, 1.0 / 3.0}};
-  const InputTable kept = input_table("quake.txt", table);
-  EXPECT_EQ(kept.name, "loading");
-  EXPECT_EQ(kept.file, "quake.txt");
-  EXPECT_EQ(kept.rows.axis.units, "s");
-  EXPECT_EQ(kept.rows.column("stress_change").units, "Pa");
-  EXPECT_EQ(stress_table(kept).time, table.time);
-  EXPECT_EQ(stress_table(kept).change, table.change);
-}
-
 }  // namespace
 }  // namespace flowslide

@@ -3,8 +3,9 @@
 #include "program/slide_case.hpp"
 
 #include "dem/make_engine.hpp"
+#include "experiment/loading_record.hpp"
 #include "grains/packing.hpp"
-#include "input/read_loading_table.hpp"
+#include "input/read_samples.hpp"
 #include "program/slide_program.hpp"
 #include "record/gnuplot_table.hpp"
 

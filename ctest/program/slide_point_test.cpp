@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "configuration/error.hpp"
+#include "input/read_samples.hpp"
 #include "program/slide_case_text.hpp"
 #include "support/messages.hpp"
 

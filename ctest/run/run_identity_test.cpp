@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "run/run_identity.hpp"
 
-#include "input/read_closed_form_sample.hpp"
-#include "input/read_loading_table.hpp"
+#include "experiment/loading_record.hpp"
 #include "record/damage.hpp"
 #include "record/hash.hpp"
+#include "sample/closed_form.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "dem/make_engine.hpp"
+#include "input/read_samples.hpp"
 #include "record/result_file.hpp"
 #include "run/run_identity.hpp"
 #include "sample_library/sample_cache.hpp"

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+#include <string>
+
+#include "coupling/slide.hpp"
+#include "record/input_table.hpp"
+
+namespace flowslide {
+
+/// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
+/// configuration.
+InputTable input_table(const std::string& file, const StressTable& table);
+
+/// The table that input_table was given. Throws std::out_of_range if `input` has no such columns.
+StressTable stress_table(const InputTable& input);
+
+}  // namespace flowslide
