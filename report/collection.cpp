@@ -11,8 +11,8 @@
 
 #include "configuration/error.hpp"
 #include "record/atomic_file.hpp"
+#include "record/health_line.hpp"
 #include "record/result_file.hpp"
-#include "sample_library/sample_health.hpp"
 
 namespace flowslide {
 namespace {

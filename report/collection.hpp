@@ -22,7 +22,7 @@ struct Run {
   std::filesystem::path file;
   Provenance provenance = {};
   std::string configuration_hash = {};
-  std::string sample = {};         ///< health of its sample, see health_line of sample_library/sample_health.hpp
+  std::string sample = {};         ///< health of its sample, see record/health_line.hpp
   std::string problem = {};        ///< why the file could not be read; empty when all else is valid
 };
 

@@ -10,6 +10,8 @@
 namespace flowslide {
 namespace {
 
+constexpr double slice_scatter = 0.27;  ///< see counting_deviation
+
 /// Adds the parts of a sphere to the solid volumes of the slices; `centre` above the lower end of the cell.
 void cut(std::vector<double>& solid, double thickness, double centre, double radius) {
   const int last = static_cast<int>(solid.size()) - 1;
@@ -41,6 +43,10 @@ std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int s
 
 int slices_of_a_diameter(const Assembly& assembly, int axis) {
   return std::max(1, static_cast<int>(std::lround(assembly.cell.lengths()[axis] / assembly.mean_diameter())));
+}
+
+double counting_deviation(double cross_section, double mean_diameter) {
+  return slice_scatter * mean_diameter / std::sqrt(cross_section);
 }
 
 }  // namespace flowslide

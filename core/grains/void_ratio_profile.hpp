@@ -14,4 +14,10 @@ std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int s
 /// Number of equal slices across an axis that are nearest to one mean diameter thick.
 int slices_of_a_diameter(const Assembly& assembly, int axis);
 
+/// Standard deviation of the void ratio of a slice, one mean diameter D thick, of a random packing of the cross-section
+/// A: 0.27 D/sqrt(A). It is counting: slices of uniform packings vary by the grains that their faces cut, whose number
+/// goes with A. Measured on 10 samples of 1100 grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one of 8800,
+/// mixed and prepared between periodic faces alone, which makes no place differ from another.
+double counting_deviation(double cross_section, double mean_diameter);
+
 }  // namespace flowslide

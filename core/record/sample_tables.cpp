@@ -10,7 +10,6 @@
 #include "grains/radial_distribution.hpp"
 #include "grains/void_ratio_profile.hpp"
 #include "record/gnuplot_table.hpp"
-#include "sample/packing_health.hpp"
 
 namespace flowslide {
 namespace {

@@ -8,7 +8,6 @@
 #include "experiment/slide_run.hpp"
 #include "record/hdf5.hpp"
 #include "record/result_file.hpp"
-#include "sample/sample_state.hpp"
 
 namespace flowslide {
 
@@ -48,15 +47,5 @@ void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint);
 
 /// Reads it back, bit for bit. Throws CorruptFileError if it is not, whole and with finite grains, what was written.
 Checkpoint read_checkpoint(const hdf5::Group& root);
-
-/// read_assembly, and CorruptFileError for grains or contacts that are not finite or a cell without volume.
-Assembly read_finite_assembly(const hdf5::Group& parent, const std::string& name);
-
-/// Reads a number that is an attribute: finite, and not negative where it is whole, or CorruptFileError.
-struct ReadNumber {
-  const hdf5::Group& group;
-  void operator()(const char* name, double& value) const;
-  void operator()(const char* name, std::int64_t& value) const;
-};
 
 }  // namespace flowslide

@@ -10,8 +10,8 @@
 #include "configuration/canonical.hpp"
 #include "process/progress.hpp"
 #include "record/file_lock.hpp"
+#include "record/health_line.hpp"
 #include "run/point_checkpoints.hpp"
-#include "sample_library/sample_health.hpp"
 
 namespace flowslide {
 namespace {

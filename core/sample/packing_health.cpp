@@ -14,7 +14,6 @@
 namespace flowslide {
 namespace {
 
-constexpr double slice_scatter = 0.27;      ///< see counting_deviation
 constexpr double allowed_deviations = 4.0;  ///< standard deviations
 constexpr int fewest_slices = 3;            ///< of which a spread can be told
 constexpr int first_wave_number = 8, last_wave_number = 30;
@@ -83,10 +82,6 @@ std::vector<Check> checks(const AxisHealth& health, char axis) {
 }
 
 }  // namespace
-
-double counting_deviation(double cross_section, double mean_diameter) {
-  return slice_scatter * mean_diameter / std::sqrt(cross_section);
-}
 
 PackingHealth packing_health(const Assembly& sample, const SampleRecipe& recipe) {
   PackingHealth health;

@@ -34,12 +34,6 @@ struct PackingHealth {
 /// Health of the sample that a recipe has prepared.
 PackingHealth packing_health(const Assembly& sample, const SampleRecipe& recipe);
 
-/// Standard deviation of the void ratio of a slice, one mean diameter D thick, of a random packing of the cross-section
-/// A: 0.27 D/sqrt(A). It is counting: slices of uniform packings vary by the grains that their faces cut, whose number
-/// goes with A. Measured on 10 samples of 1100 grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one of 8800,
-/// mixed and prepared between periodic faces alone, which makes no place differ from another.
-double counting_deviation(double cross_section, double mean_diameter);
-
 /// What is not as in a random packing of that size, with value, limit and how to mend it; empty if all is. Spread,
 /// deviation, seam and order may exceed the expectation by 4 standard deviations, so that fewer than 1 in 100 random
 /// packings are refused. Of several, what exceeds its limit most.

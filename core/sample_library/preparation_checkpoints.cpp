@@ -9,7 +9,7 @@
 #include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
 #include "record/assembly_group.hpp"
-#include "run/checkpoint.hpp"
+#include "record/read_finite.hpp"
 
 namespace flowslide {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The health of a sample as numbers of a result, and as a line for people.
+// The health of a sample as numbers of a result.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,9 +13,5 @@ namespace flowslide {
 /// the whole: void_ratio_counting, coordination_number, mechanical_coordination_number, rattler_share,
 /// fabric_anisotropy and the stresses of the two halves.
 std::vector<Metric> metrics_of(const PackingHealth& health);
-
-/// Such as "e0 0.782 (inner 0.767), slices +-0.012, seam 0.004, order 0.03, contacts 4.6, rattlers 9 %, fabric 0.017",
-/// the largest along any axis; empty for a result without these numbers, such as one of a closed-form sample.
-std::string health_line(const std::vector<Metric>& metrics);
 
 }  // namespace flowslide

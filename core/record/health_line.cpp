@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record/health_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace flowslide {
+namespace {
+
+std::optional<double> value_of(const std::vector<Metric>& metrics, const std::string& name) {
+  for (const Metric& metric : metrics)
+    if (metric.name == name) return metric.value;
+  return {};
+}
+
+/// The largest along any axis, without sign.
+double largest(const std::vector<Metric>& metrics, const std::string& name) {
+  double most = 0.0;
+  for (const char axis : {'x', 'y', 'z'})
+    if (const auto value = value_of(metrics, name + "_" + axis)) most = std::max(most, std::abs(*value));
+  return most;
+}
+
+}  // namespace
+
+std::string health_line(const std::vector<Metric>& metrics) {
+  const auto void_ratio = value_of(metrics, "initial_void_ratio"), inner = value_of(metrics, "initial_bulk_void_ratio");
+  const auto contacts = value_of(metrics, "mechanical_coordination_number");
+  if (!void_ratio || !inner || !contacts) return "";
+  return fmt::format(
+      "e0 {:.4f} (inner {:.4f}), slices +-{:.3f}, seam {:.3f}, order {:.3f}, contacts {:.2f}, rattlers {:.1f} %, "
+      "fabric "
+      "{:.3f}",
+      *void_ratio, *inner, largest(metrics, "void_ratio_spread"), largest(metrics, "seam"),
+      largest(metrics, "middle_order"), *contacts, 100.0 * value_of(metrics, "rattler_share").value_or(0.0),
+      value_of(metrics, "fabric_anisotropy").value_or(0.0));
+}
+
+}  // namespace flowslide
