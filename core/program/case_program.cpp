@@ -18,6 +18,7 @@
 #include "program/changed_settings.hpp"
 #include "program/file_names.hpp"
 #include "program/run_main.hpp"
+#include "program/versions.hpp"
 #include "record/atomic_file.hpp"
 #include "record/hash.hpp"
 #include "record/result_file.hpp"
@@ -166,7 +167,7 @@ class CaseProgram {
   }
 
   RunIdentity identity_of(const Point& point) const {
-    return {case_.description().name, point.name, point.inputs, configuration_.resolved()};
+    return {case_.description().name, point.name, point.inputs, configuration_.resolved(), versions_of(point.inputs)};
   }
 
   /// The tables of the figures, and what these have to say of the settings.

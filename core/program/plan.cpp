@@ -6,8 +6,8 @@
 #include <ostream>
 
 #include "dem/liggghts/commands.hpp"
+#include "program/versions.hpp"
 #include "record/health_line.hpp"
-#include "run/run_identity.hpp"
 
 namespace flowslide {
 

@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 
-#include "dem/make_engine.hpp"
 #include "record/hash.hpp"
 #include "run/difference.hpp"
-#include "sample/closed_form.hpp"
-#include "sample/preparation.hpp"
-#include "sample/void_ratio_search.hpp"
 
 namespace flowslide {
 namespace {
@@ -19,24 +16,19 @@ constexpr const char* first_line = "case name = ";
 
 }  // namespace
 
-std::string engine_version(const std::string& name) {
-  return is_closed_form(name) ? closed_form_version(name) : make_engine(name, "/dev/null")->version();
-}
-
-std::string preparation_identity(const std::string& engine, const std::string& version) {
-  return fmt::format("{} {}, procedure {}", engine, version, preparation_version());
-}
-
 RunIdentity::RunIdentity(const std::string& case_name, const std::string& point, RunInputs inputs,
-                         std::string configuration)
+                         std::string configuration, const RunVersions& versions)
     : inputs_(std::move(inputs)), configuration_(std::move(configuration)) {
   const auto add = [&](const std::string& name, const std::string& value) { beyond_ += name + " = " + value + "\n"; };
   beyond_ = first_line + case_name + "\n";
   add("point name", point);
-  if (!inputs_.engine.empty()) add("engine version", inputs_.engine + " " + engine_version(inputs_.engine));
-  if (const std::string& name = inputs_.preparation_engine; !name.empty()) {
-    add("preparation version", preparation_identity(name, engine_version(name)));
-    add("sample search version", search_version());
+  if (inputs_.engine.empty() != versions.engine.empty() ||
+      inputs_.preparation_engine.empty() != versions.preparation.empty())
+    throw std::invalid_argument("a run of " + point + " is known by the versions of its engines");
+  if (!inputs_.engine.empty()) add("engine version", inputs_.engine + " " + versions.engine);
+  if (!inputs_.preparation_engine.empty()) {
+    add("preparation version", versions.preparation);
+    add("sample search version", versions.search);
   }
   for (const InputTable& table : inputs_.tables) add(table.name + " table", content_of(table));
 }

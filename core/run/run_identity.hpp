@@ -16,19 +16,21 @@ struct RunInputs {
   std::vector<InputTable> tables = {};  ///< that the run reads from files
 };
 
-/// Sources and precision of an engine or a closed-form sample. Throws std::invalid_argument for another name.
-std::string engine_version(const std::string& name);
-
-/// The same of what makes a sample from its recipe: an engine, and the procedure of the preparation. Samples of the
-/// cache are kept under it.
-std::string preparation_identity(const std::string& engine, const std::string& version);
+/// Versions of the sources that a run is computed by; empty where the run has none.
+struct RunVersions {
+  std::string engine = {};       ///< of the engine or the closed-form sample
+  std::string preparation = {};  ///< of what makes a sample from its recipe
+  std::string search = {};       ///< of the search for a void ratio
+};
 
 /// All that went into one run: its case, its point, the resolved configuration, the contents of its input files, the
 /// sources and the precision of its engine, and of what prepared its sample. Two runs of one identity have the same
 /// result.
 class RunIdentity {
  public:
-  RunIdentity(const std::string& case_name, const std::string& point, RunInputs inputs, std::string configuration);
+  /// Throws std::invalid_argument if the inputs name an engine whose version is not given.
+  RunIdentity(const std::string& case_name, const std::string& point, RunInputs inputs, std::string configuration,
+              const RunVersions& versions = {});
   /// That of the run which made a result, complete or not.
   explicit RunIdentity(const Result& made);
   /// The one whose text() this is; its tables are left out.

@@ -2,12 +2,13 @@
 #include "run/status.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
-#include "configuration/canonical.hpp"
 #include "process/progress.hpp"
 #include "record/file_lock.hpp"
 #include "record/health_line.hpp"
@@ -16,7 +17,8 @@
 namespace flowslide {
 namespace {
 
-std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
+/// With 1/`per_unit` as the last digit that is told.
+double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
 void read_last_checkpoint(const CheckpointStore& store, const RunIdentity& identity, PointStatus& status) {
   const auto last = store.last_write();
@@ -74,14 +76,16 @@ std::string status_table(const std::vector<PointStatus>& points) {
 }
 
 std::string status_json(const std::vector<PointStatus>& points) {
-  std::string text = "{\"points\": [";
+  nlohmann::ordered_json all;
+  all["points"] = nlohmann::ordered_json::array();
   for (const PointStatus& point : points)
-    text += fmt::format(
-        "{}\n  {{\"name\": {}, \"state\": {}, \"share_done\": {:.3f}, \"checkpoint_age\": {:.1f}, "
-        "\"place\": {}, \"sample\": {}}}",
-        &point == &points.front() ? "" : ",", quoted(point.point), quoted(point.state), point.share_done, point.age,
-        quoted(point.place), quoted(point.sample));
-  return text + "\n]}\n";
+    all["points"].push_back({{"name", point.point},
+                             {"state", point.state},
+                             {"share_done", rounded(point.share_done, 1000)},
+                             {"checkpoint_age", rounded(point.age, 10)},
+                             {"place", point.place},
+                             {"sample", point.sample}});
+  return all.dump(1) + "\n";
 }
 
 }  // namespace flowslide

@@ -12,7 +12,6 @@
 #include "process/ranks.hpp"
 #include "record/hash.hpp"
 #include "record/sample_store.hpp"
-#include "run/run_identity.hpp"
 #include "sample/failure.hpp"
 #include "sample_library/sample_health.hpp"
 
@@ -189,6 +188,10 @@ std::vector<Metric> metrics_of(const FoundSample& found) {
 std::filesystem::path sample_cache_folder() {
   const char* folder = std::getenv("FLOWSLIDE_CACHE");
   return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path("cache");
+}
+
+std::string preparation_identity(const std::string& engine, const std::string& version) {
+  return fmt::format("{} {}, procedure {}", engine, version, preparation_version());
 }
 
 std::string cache_key(const SampleRecipe& recipe, const std::string& preparation) {

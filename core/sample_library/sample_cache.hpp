@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
+#include <string>
 #include <vector>
 
-#include "dem/engine.hpp"
 #include "process/progress.hpp"
 #include "record/series.hpp"
 #include "sample/packing_health.hpp"
@@ -28,6 +28,9 @@ std::vector<Metric> metrics_of(const FoundSample& found);
 /// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder. find_sample says where it is
 /// when it makes it.
 std::filesystem::path sample_cache_folder();
+
+/// What makes a sample from its recipe: an engine of that version, and the procedure of the preparation.
+std::string preparation_identity(const std::string& engine, const std::string& version);
 
 /// Key of a recipe in the cache; `preparation` is a preparation_identity.
 std::string cache_key(const SampleRecipe& recipe, const std::string& preparation);

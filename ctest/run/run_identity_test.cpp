@@ -4,20 +4,28 @@
 #include "experiment/loading_record.hpp"
 #include "record/damage.hpp"
 #include "record/hash.hpp"
-#include "sample/closed_form.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {
 namespace {
 
 RunInputs inputs(const std::string& engine, const StressTable& loading = {{0.0, 1.0}, {0.0, 500.0}}) {
-  return {engine, is_closed_form(engine) ? "" : "native", {input_table("quake.txt", loading)}};
+  return {engine, engine == "elastic" ? "" : "native", {input_table("quake.txt", loading)}};
 }
 
 const std::string configuration = "engine = \"native\"\nslope.angle = \"0.1 rad\"\n";
 
+RunVersions versions(const RunInputs& inputs) {
+  RunVersions versions{"0.1.0 (law of " + inputs.engine + ")"};
+  if (!inputs.preparation_engine.empty()) {
+    versions.preparation = inputs.preparation_engine + " 0.1.0 (law), procedure 3";
+    versions.search = "0.1.0 (steps)";
+  }
+  return versions;
+}
+
 RunIdentity identity(const RunInputs& inputs, const std::string& of = configuration) {
-  return {"fig12_pulse", "RD", inputs, of};
+  return {"fig12_pulse", "RD", inputs, of, versions(inputs)};
 }
 
 Result made_by(const RunIdentity& identity) {
@@ -50,8 +58,8 @@ TEST(RunIdentity, DiffersByEverythingThatWentIn) {
   const auto difference = [&](const RunIdentity& there) { return now.difference_from(there); };
   EXPECT_EQ(difference(identity(inputs("native"), "engine = \"native\"\nslope.angle = \"0.2 rad\"\n")),
             "slope.angle = \"0.2 rad\" there, \"0.1 rad\" now");
-  EXPECT_EQ(difference({"fig12_pulse", "RI", inputs("native"), configuration}), "point name = RI there, RD now");
-  EXPECT_EQ(difference({"fig13_k", "RD", inputs("native"), configuration}),
+  EXPECT_EQ(difference({"fig12_pulse", "RI", inputs("native"), configuration, versions(inputs("native"))}), "point name = RI there, RD now");
+  EXPECT_EQ(difference({"fig13_k", "RD", inputs("native"), configuration, versions(inputs("native"))}),
             "case name = fig13_k there, fig12_pulse now");
   EXPECT_CONTAINS(difference(identity(inputs("native", {{0.0, 1.0}, {0.0, 501.0}}))), "loading table = 2 rows (hash ");
   EXPECT_CONTAINS(difference(identity(inputs("native-mixed"))), "engine version = native-mixed ");
@@ -66,14 +74,19 @@ TEST(RunIdentity, DiffersByTheSourcesOfEnginePreparationAndSearch) {
   for (const char* name : {"engine version", "preparation version", "sample search version"})
     EXPECT_CONTAINS(now.difference_from(RunIdentity(with_line(result, name, "native 0.1.0 (of another law)"))),
                     std::string(name) + " = native 0.1.0 (of another law) there, ");
-  // The kernel and the procedure of the preparation are in it, each by its hash.
-  EXPECT_CONTAINS(now.text(), "engine version = native " + engine_version("native") + "\n");
-  EXPECT_CONTAINS(now.text(), "preparation version = " + preparation_identity("native", engine_version("native")));
+  EXPECT_CONTAINS(now.text(), "engine version = native 0.1.0 (law of native)\n");
+  EXPECT_CONTAINS(now.text(), "preparation version = native 0.1.0 (law), procedure 3\n");
+  EXPECT_CONTAINS(now.text(), "sample search version = 0.1.0 (steps)\n");
+}
+
+TEST(RunIdentity, RefusesAnEngineWithoutItsVersion) {
+  EXPECT_THROW(RunIdentity("fig12_pulse", "RD", inputs("native"), configuration), std::invalid_argument);
+  EXPECT_THROW(RunIdentity("fig12_pulse", "RD", inputs("native"), configuration, {"0.1.0"}), std::invalid_argument);
 }
 
 TEST(RunIdentity, OfAClosedFormSampleIsItsNameAndVersion) {
   const RunIdentity elastic = identity(inputs("elastic"));
-  EXPECT_CONTAINS(elastic.text(), "engine version = elastic " + engine_version("elastic") + "\n");
+  EXPECT_CONTAINS(elastic.text(), "engine version = elastic 0.1.0 (law of elastic)\n");
   EXPECT_CONTAINS_NOT(elastic.text(), "preparation version");
   EXPECT_CONTAINS(elastic.difference_from(identity(inputs("critical_state"))), "engine version = critical_state ");
 }

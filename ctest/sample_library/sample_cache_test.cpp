@@ -11,7 +11,6 @@
 
 #include "program/run_main.hpp"
 #include "record/sample_store.hpp"
-#include "run/run_identity.hpp"
 #include "sample/failure.hpp"
 #include "support/elastic_block.hpp"
 #include "support/messages.hpp"
