@@ -55,7 +55,7 @@ void UndrainedCase::read_curve(const Configuration& configuration, const std::st
   curve.sample = static_cast<std::size_t>(std::find(names.begin(), names.end(), sample) - names.begin());
   const SampleRecipe& recipe = sample_of(curve).recipe;
   const TableNames tables{"point." + name, "shear"};
-  curve.test = read_element_test(configuration, tables, recipe);
+  curve.test = read_shear_test(configuration, tables, recipe);
   const Tables shear(configuration, tables);
   check_time_step(configuration, shear.key("time_step"), recipe.packing.smallest_diameter, recipe.material);
   curve.time_step = shear.positive("time_step", dimension::time);
@@ -117,7 +117,7 @@ std::vector<Metric> UndrainedCase::parameters_of(const Curve& curve) const {
 }
 
 Result UndrainedCase::result_of(const Curve& running, const FoundSample& found, const PointRun& run,
-                                const ElementTestRecord& record) const {
+                                const ShearTestRecord& record) const {
   Result result = run.result(record.rows, metrics_of(found));
   result.parameters = parameters_of(running);
   result.windows = measures_of_rows(record.measured).windows();
@@ -127,14 +127,14 @@ Result UndrainedCase::result_of(const Curve& running, const FoundSample& found, 
   return result;
 }
 
-void UndrainedCase::judge(Result& result, const Curve& running, const ElementTestRecord& record) const {
+void UndrainedCase::judge(Result& result, const Curve& running, const ShearTestRecord& record) const {
   for (const Metric& metric : curve_metrics(record.measured, sample_of(running).recipe.normal_stress))
     result.metrics.push_back(metric);
 }
 
-ElementTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& found, DemSample& sample,
+ShearTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& found, DemSample& sample,
                                        Pictures& pictures, const PointRun& run) const {
-  ElementTestRecord so_far;
+  ShearTestRecord so_far;
   if (const auto& kept = run.checkpoints.found()) {
     sample.restore(kept->sample);
     pictures.restore(kept->shots);
@@ -147,7 +147,7 @@ ElementTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& 
                       sample.state(),    {},
                       pictures.shots(),  measured};
   };
-  const auto observe = [&](std::int64_t done, const Assembly& assembly, const ElementTestRecord& record) {
+  const auto observe = [&](std::int64_t done, const Assembly& assembly, const ShearTestRecord& record) {
     pictures.take(record.rows.axis.values.back(), sample.shear_strain(), assembly);
     progress.update(done, fmt::format("t {:.3f} s, strain {:.1f} %, tau {:.0f} Pa, sigma {:.0f} Pa", sample.time(),
                                       100.0 * sample.shear_strain(), sample.stress().shear, sample.stress().normal));
@@ -157,7 +157,7 @@ ElementTestRecord UndrainedCase::shear(const Curve& running, const FoundSample& 
       return checkpoint(std::move(result), done, record.measured);
     });
   };
-  ElementTestRecord record = run_element_test(sample, running.test, observe, std::move(so_far));
+  ShearTestRecord record = run_shear_test(sample, running.test, observe, std::move(so_far));
   progress.finish();
   run.checkpoints.keep_end(checkpoint(result_of(running, found, run, record), steps, record.measured));
   return record;
@@ -178,7 +178,7 @@ void UndrainedCase::run(const Point& point, const PointRun& run) const {
   running.test = for_sample(running.test, sample_of(running).recipe, found.sample.assembly.mean_diameter());
   DemSample sample(*engine, found.sample.assembly, {sample_of(running).recipe.material, running.time_step, 0.0});
   Pictures pictures(running.picture_strain);
-  const ElementTestRecord record = shear(running, found, sample, pictures, run);
+  const ShearTestRecord record = shear(running, found, sample, pictures, run);
   Result result = result_of(running, found, run, record);
   judge(result, running, record);
   on_first_rank([&] {

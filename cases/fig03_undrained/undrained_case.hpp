@@ -16,7 +16,7 @@ namespace flowslide {
 struct Curve {
   Point point;                             ///< named after the curve and the replicate
   std::string name;                        ///< of its table [point.<name>]
-  ElementTest test;
+  ShearTest test;
   double time_step = 0.0;                  ///< dt_L, s
   std::size_t sample = 0;                  ///< index into samples of its replicate
   int replicate = 0;
@@ -44,12 +44,12 @@ class UndrainedCase : public Case {
   FoundSample sample_for(const Curve& curve, const std::filesystem::path& log, const ProgressStyle& progress,
                          int threads, const PreparationBorder& border) const;
   std::vector<Metric> parameters_of(const Curve& curve) const;
-  ElementTestRecord shear(const Curve& running, const FoundSample& found, DemSample& sample,
+  ShearTestRecord shear(const Curve& running, const FoundSample& found, DemSample& sample,
                           Pictures& pictures, const PointRun& run) const;
   /// What is written of a record, complete or not: without the metrics of the curve, which judge() adds.
   Result result_of(const Curve& running, const FoundSample& found, const PointRun& run,
-                   const ElementTestRecord& record) const;
-  void judge(Result& result, const Curve& running, const ElementTestRecord& record) const;
+                   const ShearTestRecord& record) const;
+  void judge(Result& result, const Curve& running, const ShearTestRecord& record) const;
   const SampleSpecification& sample_of(const Curve& curve) const { return samples_[curve.replicate][curve.sample]; }
 
   std::string engine_, preparation_engine_;

@@ -44,7 +44,7 @@ std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, do
 
 }  // namespace
 
-std::int64_t ElementTest::steps(double time_step) const {
+std::int64_t ShearTest::steps(double time_step) const {
   const double exact = final_strain / (shear_rate * time_step);
   if (!(exact >= 0.0 && exact <= most_steps))
     throw std::invalid_argument(fmt::format(
@@ -53,7 +53,7 @@ std::int64_t ElementTest::steps(double time_step) const {
   return std::max<std::int64_t>(1, std::llround(exact));
 }
 
-std::vector<std::int64_t> ElementTest::row_steps(double time_step, int count) const {
+std::vector<std::int64_t> ShearTest::row_steps(double time_step, int count) const {
   const std::int64_t last = steps(time_step);
   std::vector<std::int64_t> at{0};
   for (int k = 1; k <= count; ++k) {
@@ -64,7 +64,14 @@ std::vector<std::int64_t> ElementTest::row_steps(double time_step, int count) co
   return at;
 }
 
-Series element_test_series() {
+ShearTest for_sample(ShearTest test, const SampleRecipe& recipe, double mean_diameter) {
+  if (test.inertial_number > 0.0)
+    test.shear_rate =
+        shear_rate_for(test.inertial_number, mean_diameter, recipe.material.density, recipe.normal_stress);
+  return test;
+}
+
+Series shear_test_series() {
   const char* shear = "positive downslope";
   const char* compression = "compression positive";
   Series series;
@@ -86,9 +93,9 @@ Series element_test_series() {
   return series;
 }
 
-ElementTestRecord run_element_test(DemSample& sample, const ElementTest& test, const RowObserver& observe,
-                                   ElementTestRecord so_far) {
-  ElementTestRecord record = std::move(so_far);
+ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe,
+                                   ShearTestRecord so_far) {
+  ShearTestRecord record = std::move(so_far);
   const double time_step = sample.settings().time_step;
   const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
   std::size_t k = record.rows.rows(), m = record.measured.rows();

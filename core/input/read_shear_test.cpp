@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/read_shear_test.hpp"
 
-#include "grains/measures.hpp"
-#include "grains/packing.hpp"
-
 namespace flowslide {
 
-ElementTest read_element_test(const Configuration& configuration, const TableNames& tables,
+ShearTest read_shear_test(const Configuration& configuration, const TableNames& tables,
                               const SampleRecipe& recipe) {
   const Tables table(configuration, tables);
-  ElementTest test;
+  ShearTest test;
   if (table.has("inertial_number")) {
     test.inertial_number = table.number("inertial_number", Range::positive());
     test = for_sample(test, recipe, lattice_packing(recipe.packing).mean_diameter());
@@ -20,13 +17,6 @@ ElementTest read_element_test(const Configuration& configuration, const TableNam
   }
   test.final_strain = table.number("final_strain", Range::above_up_to(0.0, 100.0));
   test.rows = static_cast<int>(table.integer("rows", Range::between(10, 100000)));
-  return test;
-}
-
-ElementTest for_sample(ElementTest test, const SampleRecipe& recipe, double mean_diameter) {
-  if (test.inertial_number > 0.0)
-    test.shear_rate =
-        shear_rate_for(test.inertial_number, mean_diameter, recipe.material.density, recipe.normal_stress);
   return test;
 }
 

@@ -179,7 +179,7 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
 }
 
 SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  ElementTestRecord so_far;
+  ShearTestRecord so_far;
   std::int64_t done = 0;
   const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
   if (const auto& found = run.checkpoints.found()) {
@@ -187,7 +187,7 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
     so_far = {found->so_far.series, found->measured};
     done = loaded.grains->steps();
   }
-  const auto records_of = [](const ElementTestRecord& record, Stop stop) {
+  const auto records_of = [](const ShearTestRecord& record, Stop stop) {
     return Records{record.rows, {}, stop, measures_of_rows(record.measured), record.measured};
   };
   const auto checkpoint = [&](Result result, std::int64_t at, const Series& measured) {
@@ -196,13 +196,13 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
         measured};
   };
   Progress progress(fmt::format("{} {}", description_.name, running.point.name), steps, run.progress, done);
-  const auto observe = [&](std::int64_t at, const Assembly&, const ElementTestRecord& record) {
+  const auto observe = [&](std::int64_t at, const Assembly&, const ShearTestRecord& record) {
     progress.update(at, row_text(record.rows));
     run.checkpoints.border([&] {
       return checkpoint(judged(running, loaded, run, records_of(record, Stop::not_yet)), at, record.measured);
     });
   };
-  const ElementTestRecord record = run_element_test(*loaded.grains, *running.test, observe, std::move(so_far));
+  const ShearTestRecord record = run_shear_test(*loaded.grains, *running.test, observe, std::move(so_far));
   progress.finish();
   Records records = records_of(record, Stop::end_shear_strain);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records), steps, record.measured));

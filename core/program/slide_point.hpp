@@ -20,7 +20,7 @@ struct SlidePoint {
   SampleSpecification sample;
   GrainScale grains;           ///< of the packing that the search begins with, or of the sample: see on_sample
   std::string engine;          ///< or closed-form sample
-  std::optional<ElementTest> test;  ///< of the sample alone, in place of a slide; it needs grains
+  std::optional<ShearTest> test;  ///< of the sample alone, in place of a slide; it needs grains
   SlideSettings settings;           ///< of a test, the local time step alone
   bool linear_start = false;        ///< see DemSample::start_linear_at_first_strain
   StopConditions stop;
@@ -34,7 +34,7 @@ struct SlidePoint {
 /// Reads [point.<name>]: figures, sample (a key below [sample]), scheme (a key below [scheme]), hydraulic_conductivity
 /// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
 /// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
-/// an element test: [element_test] has what the point leaves out (see read_element_test), coupling the time step.
+/// an element test: [element_test] has what the point leaves out (see read_shear_test), coupling the time step.
 /// What the table leaves out is read from that of the point that it is `like`, if it is like one.
 /// A key `engine` of the point stands in front of `engine`, that of the case, unless this is a closed-form sample.
 /// `samples` are those of the replicate; the engine decides the predicted time. Throws ConfigurationError.

@@ -95,7 +95,7 @@ void SlideCase::write_empty_tables(const OutputFolder& output) const {
   for (const SlidePoint& slide : left_out_) {
     const std::string& name = slide.name;
     Result none;
-    none.series = slide.test ? element_test_series() : slide_series();
+    none.series = slide.test ? shear_test_series() : slide_series();
     write_table(output.file(name + ".dat"), band_table(description_.name, name, 0, none.series));
     for (const std::string& abscissa : abscissas())
       if (none.series.has(abscissa))

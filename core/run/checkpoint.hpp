@@ -36,7 +36,7 @@ struct Checkpoint {
   SampleState sample;
   std::optional<SlideCheckpoint> slide;  ///< of a slide; an element test stands at the last of its rows
   std::vector<Shot> shots;
-  Series measured = {};  ///< of an element test, see ElementTestRecord; else without columns
+  Series measured = {};  ///< of an element test, see ShearTestRecord; else without columns
 };
 
 /// Writes it below `root`: as write_result does, so that what reads results reads the rows so far as well, and

@@ -162,7 +162,7 @@ TEST(ExchangeRecord, LooksForPeaksUpToTheirStrainAlone) {
 }
 
 TEST(RunMeasures, OfAnElementTestAreWindowsOverItsStrain) {
-  Series rows = element_test_series();
+  Series rows = shear_test_series();
   for (int row = 0; row <= 10; ++row) {
     std::vector<double> values(rows.columns.size(), 0.0);
     values[0] = 1e-3 * row;

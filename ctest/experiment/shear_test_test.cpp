@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "dem/make_engine.hpp"
+#include "grains/measures.hpp"
 #include "record/same_bits.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -16,21 +17,21 @@ namespace {
 
 constexpr double time_step = 2e-6;  // a tenth of the Rayleigh time of the lattice's grains
 
-TEST(ElementTestSteps, ReachTheFinalStrain) {
-  EXPECT_EQ((ElementTest{0.06, 0.5, 500}.steps(5e-7)), 16'666'667);  // 0.5 / (0.06 * 5e-7) = 16 666 666.7
-  EXPECT_EQ((ElementTest{0.25, 0.5, 500}.steps(1e-5)), 200'000);
-  EXPECT_EQ((ElementTest{1.0, 1e-9, 500}.steps(1e-5)), 1);  // not none
+TEST(ShearTestSteps, ReachTheFinalStrain) {
+  EXPECT_EQ((ShearTest{0.06, 0.5, 500}.steps(5e-7)), 16'666'667);  // 0.5 / (0.06 * 5e-7) = 16 666 666.7
+  EXPECT_EQ((ShearTest{0.25, 0.5, 500}.steps(1e-5)), 200'000);
+  EXPECT_EQ((ShearTest{1.0, 1e-9, 500}.steps(1e-5)), 1);  // not none
 }
 
-TEST(ElementTestSteps, RefuseMoreThanCanBeCounted) {
+TEST(ShearTestSteps, RefuseMoreThanCanBeCounted) {
   // 0.5 / (1e-20 * 5e-7) = 1e26 steps: beyond 64 bits, where rounding would make one step of them.
-  EXPECT_THROW((ElementTest{1e-20, 0.5, 500}.steps(5e-7)), std::invalid_argument);
-  EXPECT_THROW((ElementTest{0.0, 0.5, 500}.steps(5e-7)), std::invalid_argument);
+  EXPECT_THROW((ShearTest{1e-20, 0.5, 500}.steps(5e-7)), std::invalid_argument);
+  EXPECT_THROW((ShearTest{0.0, 0.5, 500}.steps(5e-7)), std::invalid_argument);
 }
 
-TEST(ElementTestRows, IncreaseFromZeroToTheLastStep) {
-  for (const ElementTest& test : {ElementTest{0.06, 0.5, 500}, ElementTest{0.2, 0.5, 300}, ElementTest{1.0, 0.01, 500},
-                                  ElementTest{1.0, 1e-9, 10}}) {
+TEST(ShearTestRows, IncreaseFromZeroToTheLastStep) {
+  for (const ShearTest& test : {ShearTest{0.06, 0.5, 500}, ShearTest{0.2, 0.5, 300}, ShearTest{1.0, 0.01, 500},
+                                  ShearTest{1.0, 1e-9, 10}}) {
     const auto rows = test.row_steps(1e-5);
     EXPECT_EQ(rows.front(), 0);
     EXPECT_EQ(rows.back(), test.steps(1e-5));
@@ -39,8 +40,8 @@ TEST(ElementTestRows, IncreaseFromZeroToTheLastStep) {
   }
 }
 
-TEST(ElementTestRows, StandAtTheSquaresOfTheirNumbers) {
-  const ElementTest test{1.0, 1.0, 10};
+TEST(ShearTestRows, StandAtTheSquaresOfTheirNumbers) {
+  const ShearTest test{1.0, 1.0, 10};
   const std::vector<std::int64_t> squares{0, 1, 4, 9, 16, 25, 36, 49, 64, 81, 100};
   EXPECT_EQ(test.row_steps(0.01), squares);  // 100 steps
   std::vector<std::int64_t> longer = squares;
@@ -50,8 +51,8 @@ TEST(ElementTestRows, StandAtTheSquaresOfTheirNumbers) {
   EXPECT_EQ(test.row_steps(0.25), (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
 }
 
-TEST(ElementTestSeries, NamesEveryColumnOnce) {
-  const Series series = element_test_series();
+TEST(ShearTestSeries, NamesEveryColumnOnce) {
+  const Series series = shear_test_series();
   EXPECT_NO_THROW(series.check());
   EXPECT_EQ(series.rows(), 0U);
   EXPECT_EQ(series.columns.size(), 12U);
@@ -64,12 +65,12 @@ class RecordOfALattice : public testing::Test {
  protected:
   static constexpr double rate = 5.0;
   RecordOfALattice() {
-    const auto observe = [&](std::int64_t steps, const Assembly& assembly, const ElementTestRecord& record) {
+    const auto observe = [&](std::int64_t steps, const Assembly& assembly, const ShearTestRecord& record) {
       observed_steps_.push_back(steps);
       observed_rows_.push_back(record.rows.rows());
       grains_ = assembly.size();
     };
-    record_ = run_element_test(sample_, test_, observe);
+    record_ = run_shear_test(sample_, test_, observe);
     series_ = record_.rows;
   }
   const std::vector<double>& column(const char* name) const { return series_.column(name).values; }
@@ -81,12 +82,12 @@ class RecordOfALattice : public testing::Test {
     return sample.assembly();
   }
 
-  const ElementTest test_{rate, rate * 400 * time_step, 10};
+  const ShearTest test_{rate, rate * 400 * time_step, 10};
   std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "element_test.log");
   const Assembly lattice_ = settled(*engine_);
   DemSample sample_{*engine_, lattice_, {Material{}, time_step, 0.0}};
   const CellStress stress_before_ = sample_.stress();
-  ElementTestRecord record_;
+  ShearTestRecord record_;
   Series series_;
   std::vector<std::int64_t> observed_steps_;
   std::vector<std::size_t> observed_rows_;
@@ -143,21 +144,21 @@ TEST_F(RecordOfALattice, HasAFiniteInertialNumberOfTheBulk) {
   }
 }
 
-TEST(ElementTestRecord, GoesOnFromAnyRowWithTheSameBits) {
+TEST(ShearTestRecord, GoesOnFromAnyRowWithTheSameBits) {
   const auto start = [](Engine& engine) {
     return DemSample(engine, touching_lattice(), {Material{}, time_step, 0.0});
   };
-  const ElementTest test{5.0, 5.0 * 200 * time_step, 10};
+  const ShearTest test{5.0, 5.0 * 200 * time_step, 10};
   const auto engine = make_engine("native", "/dev/null");
   DemSample whole = start(*engine);
-  const ElementTestRecord expected = run_element_test(whole, test);
+  const ShearTestRecord expected = run_shear_test(whole, test);
   for (const std::size_t stop : {1U, 4U, 10U}) {
     struct Enough {};
     DemSample first = start(*engine);
-    ElementTestRecord kept;
+    ShearTestRecord kept;
     SampleState state;
     try {
-      run_element_test(first, test, [&](std::int64_t, const Assembly&, const ElementTestRecord& so_far) {
+      run_shear_test(first, test, [&](std::int64_t, const Assembly&, const ShearTestRecord& so_far) {
         if (so_far.rows.rows() < stop) return;
         kept = so_far;
         state = first.state();
@@ -169,34 +170,45 @@ TEST(ElementTestRecord, GoesOnFromAnyRowWithTheSameBits) {
     const auto other = make_engine("native", "/dev/null");
     DemSample second = start(*other);
     second.restore(state);
-    const ElementTestRecord record = run_element_test(second, test, {}, kept);
+    const ShearTestRecord record = run_shear_test(second, test, {}, kept);
     expect_same_bits(record.rows, expected.rows);
     expect_same_bits(record.measured, expected.measured);
   }
 }
 
-TEST(ElementTestRecord, MeasuresTheSameWhateverRowsAreKept) {
+TEST(ShearTestRecord, MeasuresTheSameWhateverRowsAreKept) {
   const auto measured = [](int rows) {
     const auto engine = make_engine("native", "/dev/null");
     DemSample sample(*engine, touching_lattice(), {Material{}, time_step, 0.0});
-    return run_element_test(sample, {5.0, 5.0 * 700 * time_step, rows}).measured;
+    return run_shear_test(sample, {5.0, 5.0 * 700 * time_step, rows}).measured;
   };
   const Series few = measured(10), many = measured(470);
-  EXPECT_EQ(few.rows(), (ElementTest{5.0, 5.0 * 700 * time_step, 10}.measured_steps(time_step).size()));
+  EXPECT_EQ(few.rows(), (ShearTest{5.0, 5.0 * 700 * time_step, 10}.measured_steps(time_step).size()));
   expect_same_bits(few, many);
 }
 
-TEST(ElementTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
+TEST(ShearTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
   Assembly gas = touching_lattice();
   for (double& radius : gas.radius) radius *= 0.9;
   const auto engine = make_engine("liggghts", testing::TempDir() + "element_test.log");
   DemSample sample(*engine, gas, {Material{}, time_step, 0.0});
-  const Series series = run_element_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
+  const Series series = run_shear_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
   EXPECT_NO_THROW(series.check());
   EXPECT_EQ(series.column("normal_stress").values.back(), 0.0);
   // Velocities of 1 mm/s in 30 % solid: some 1e-4 Pa, and so a number above that of any packing.
   EXPECT_GT(series.column("mean_stress").values.back(), 0.0);
   EXPECT_GT(series.column("inertial_number").values.back(), 10.0);
+}
+
+TEST(ForSample, TakesTheRateOfAnInertialNumberFromTheGrains) {
+  SampleRecipe recipe;
+  recipe.normal_stress = 28e3;
+  ShearTest test;
+  test.inertial_number = 1e-2;
+  EXPECT_EQ(for_sample(test, recipe, 3e-3).shear_rate, shear_rate_for(1e-2, 3e-3, Material{}.density, 28e3));
+  ShearTest at_a_rate;
+  at_a_rate.shear_rate = 1.0;
+  EXPECT_EQ(for_sample(at_a_rate, recipe, 3e-3).shear_rate, 1.0);
 }
 
 }  // namespace

@@ -9,40 +9,32 @@
 namespace flowslide {
 namespace {
 
-ElementTest read(const std::string& own) {
+ShearTest read(const std::string& own) {
   const auto configuration = Configuration::from_text("[all]\nrows = 100\n[own]\n" + own, "case.toml");
   SampleRecipe recipe;
   recipe.normal_stress = 28e3;
-  return read_element_test(configuration, {"own", "all"}, recipe);
+  return read_shear_test(configuration, {"own", "all"}, recipe);
 }
 
 std::string complaint(const std::string& own) {
   return message_of<ConfigurationError>([&] { read(own); });
 }
 
-TEST(ReadElementTest, TakesARate) {
-  const ElementTest test = read("shear_rate = \"0.06 1/s\"\nfinal_strain = \"5 %\"\n");
+TEST(ReadShearTest, TakesARate) {
+  const ShearTest test = read("shear_rate = \"0.06 1/s\"\nfinal_strain = \"5 %\"\n");
   EXPECT_EQ(test.shear_rate, 0.06);
   EXPECT_EQ(test.final_strain, 0.05);
   EXPECT_EQ(test.rows, 100);
 }
 
-TEST(ReadElementTest, TakesAnInertialNumberAtTheInitialStress) {
-  const ElementTest test = read("inertial_number = 1e-2\nfinal_strain = 0.05\nrows = 20\n");
+TEST(ReadShearTest, TakesAnInertialNumberAtTheInitialStress) {
+  const ShearTest test = read("inertial_number = 1e-2\nfinal_strain = 0.05\nrows = 20\n");
   const double mean_diameter = lattice_packing(SampleRecipe{}.packing).mean_diameter();
   EXPECT_NEAR(inertial_number(test.shear_rate, mean_diameter, Material{}.density, 28e3), 1e-2, 1e-14);
   EXPECT_EQ(test.rows, 20);
 }
 
-TEST(ForSample, TakesTheRateOfAnInertialNumberFromTheGrains) {
-  SampleRecipe recipe;
-  recipe.normal_stress = 28e3;
-  const ElementTest by_number = for_sample(read("inertial_number = 1e-2\nfinal_strain = 0.05\n"), recipe, 3e-3);
-  EXPECT_EQ(by_number.shear_rate, shear_rate_for(1e-2, 3e-3, Material{}.density, 28e3));
-  EXPECT_EQ(for_sample(read("shear_rate = \"1 1/s\"\nfinal_strain = 1\n"), recipe, 3e-3).shear_rate, 1.0);
-}
-
-TEST(ReadElementTest, RefusesBothRatesNoneAndValuesOutOfRange) {
+TEST(ReadShearTest, RefusesBothRatesNoneAndValuesOutOfRange) {
   EXPECT_CONTAINS(complaint("shear_rate = \"1 1/s\"\ninertial_number = 1e-2\nfinal_strain = 1\n"),
                   "leave one of them out");
   EXPECT_CONTAINS(complaint("final_strain = 1\n"), "shear_rate");

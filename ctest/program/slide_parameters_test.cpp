@@ -54,7 +54,7 @@ TEST(SlideParameters, FollowTheRuleAndTheLoading) {
 
 TEST(SlideParameters, OfAnElementTestAreItsRateAndStrain) {
   SlidePoint point = slide();
-  point.test = ElementTest{0.3, 0.05};
+  point.test = ShearTest{0.3, 0.05};
   const auto values = parameters(point);
   EXPECT_EQ(values.at("shear_rate"), 0.3);
   EXPECT_EQ(values.at("final_strain"), 0.05);

@@ -86,7 +86,7 @@ TEST_F(SlideResults, RefuseReplicatesThatAreOneSample) {
 }
 
 TEST_F(SlideResults, LeaveOutAbscissasThatATestDoesNotHave) {
-  write("alone", 0, "loose a", element_test_series());
+  write("alone", 0, "loose a", shear_test_series());
   write("RD", 0, "loose a", slide_series());
   read("native").finish(output_);
   EXPECT_TRUE(fs::exists(output_.file("RD_over_displacement.dat")));

@@ -19,7 +19,7 @@ constexpr double sigma_0 = 10e3;  // Pa
 ///   shear:  1000 Pa, peak of 3000 at 2 %, straight down to 0 at 17 %, nothing until 30 %, straight up to 2000 at 50 %
 ///   normal: 10 000 Pa, straight down to 1000 at 18 %, straight up to 2600 at 50 %
 Series curve(int last = 50) {
-  Series series = element_test_series();
+  Series series = shear_test_series();
   for (int k = 0; k <= last; ++k) {
     const double shear = k <= 2 ? 1000.0 + 1000.0 * k : std::max({3000.0 - 200.0 * (k - 2), 100.0 * (k - 30), 0.0});
     const double normal = k <= 18 ? 10000.0 - 500.0 * k : 1000.0 + 50.0 * (k - 18);
@@ -65,7 +65,7 @@ TEST(CurveMetrics, AverageTheLiquefiedPartOverStrain) {
   EXPECT_NEAR(metrics.at("mean_liquefied_normal"), 0.2040, rounding);
   EXPECT_NEAR(metrics.at("mean_liquefied_shear"), 0.06225, rounding);
   // More rows in one place do not weigh more.
-  Series uneven = element_test_series();
+  Series uneven = shear_test_series();
   const Series even = curve();
   for (std::size_t row = 0; row < even.rows(); ++row) {
     std::vector<double> values, halfway;

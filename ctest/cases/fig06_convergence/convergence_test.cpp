@@ -47,7 +47,7 @@ Result with(Result result, double inertial_number, double time_step = 1.0) {
 Result slide(double factor, int replicate = 0, double velocity = 0.02) {
   return result_of(slide_series(), factor, replicate, velocity);
 }
-Result alone(double factor, int replicate = 0) { return result_of(element_test_series(), factor, replicate); }
+Result alone(double factor, int replicate = 0) { return result_of(shear_test_series(), factor, replicate); }
 
 /// The same runs with the inertial number and dt_G that their names say.
 Ensembles named(Ensembles slides) {

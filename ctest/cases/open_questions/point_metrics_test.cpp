@@ -57,7 +57,7 @@ TEST(PointMetrics, FrictionOfAHeldSlopeIsThatOfTheMeansBeyondHalfAStrain) {
 
 TEST(PointMetrics, SteadyFlowCountsBeyondAStrainOfOneWithItsKineticPart) {
   const Series series = record(
-      element_test_series(), 1e-2, 300, column("shear_stress", [](double strain) { return strain < 0.995 ? 500.0 : 380.0; }),
+      shear_test_series(), 1e-2, 300, column("shear_stress", [](double strain) { return strain < 0.995 ? 500.0 : 380.0; }),
       column("kinetic_shear_stress", [](double) { return 20.0; }),
       column("normal_stress", [](double strain) { return strain < 0.995 ? 700.0 : 900.0; }),
       column("kinetic_normal_stress", [](double) { return 100.0; }),
@@ -65,14 +65,14 @@ TEST(PointMetrics, SteadyFlowCountsBeyondAStrainOfOneWithItsKineticPart) {
   const auto metrics = by_name(flow_metrics(series, 10.0, 6e-3, 2650.0));
   EXPECT_NEAR(metrics.at("friction"), 0.4, 1e-12);
   EXPECT_NEAR(metrics.at("inertial_number"), inertial_number(10.0, 6e-3, 2650.0, 800.0), 1e-12);
-  const Series young = record(element_test_series(), 1e-2, 50, column("mean_stress", [](double) { return 800.0; }));
+  const Series young = record(shear_test_series(), 1e-2, 50, column("mean_stress", [](double) { return 800.0; }));
   const auto none = by_name(flow_metrics(young, 10.0, 6e-3, 2650.0));
   EXPECT_TRUE(std::isnan(none.at("friction")));
   EXPECT_TRUE(std::isnan(none.at("inertial_number")));
 }
 
 TEST(PointMetrics, FrequenciesOfAProbeAreThoseOfItsModulus) {
-  const Series series = record(element_test_series(), 1e-5, 10,
+  const Series series = record(shear_test_series(), 1e-5, 10,
                                column("shear_stress", [](double strain) { return 2650.0 + 15e6 * strain; }));
   SlopeProperties slope;
   slope.liquefiable_thickness = 0.2;

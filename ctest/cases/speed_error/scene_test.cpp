@@ -13,7 +13,7 @@ constexpr double rounding = 1e-12;
 
 SlidePoint point_of(Scene scene) {
   SlidePoint point;
-  if (scene == Scene::element) point.test = ElementTest{};
+  if (scene == Scene::element) point.test = ShearTest{};
   if (scene == Scene::trigger) point.settings.loading = ConstantRate{1e4};
   if (scene == Scene::pulse) point.settings.loading = SinePulse{3e3, 2.0};
   return point;
@@ -31,7 +31,7 @@ double metric(Scene scene, const Series& series, const std::string& name) {
 
 /// Rows at strains k/1000 whose shear stress is a parabola with its top of 5000 Pa at 0.43 %, sigma falling evenly.
 Series element_test() {
-  Series series = element_test_series();
+  Series series = shear_test_series();
   for (int k = 0; k <= 50; ++k) {
     std::array<double, 12> row{};
     row[0] = 1e-3 * k;
