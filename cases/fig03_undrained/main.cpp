@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "program/case_program.hpp"
 #include "undrained_case.hpp"
 
 int main(int argc, char** argv) {

@@ -5,7 +5,7 @@
 
 #include "experiment/shear_test.hpp"
 #include "pictures.hpp"
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 #include "record/result_file.hpp"
 #include "sample/specification.hpp"
 #include "sample_library/sample_cache.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 #include "scenes.hpp"
 
 namespace flowslide {

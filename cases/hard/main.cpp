@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "hard_case.hpp"
+#include "program/case_program.hpp"
 
 int main(int argc, char** argv) {
   flowslide::HardCase the_case;

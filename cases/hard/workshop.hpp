@@ -9,7 +9,7 @@
 #include "configuration/configuration.hpp"
 #include "coupling/slide.hpp"
 #include "coupling/stop.hpp"
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 #include "sample/preparation.hpp"
 #include "sample/specification.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "configuration/error.hpp"
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 
 namespace flowslide {
 namespace {

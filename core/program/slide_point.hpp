@@ -7,7 +7,7 @@
 #include "experiment/profile_record.hpp"
 #include "experiment/shear_test.hpp"
 #include "experiment/slide_run.hpp"
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 #include "sample/specification.hpp"
 
 namespace flowslide {

@@ -2,7 +2,7 @@
 #include "program/file_names.hpp"
 
 #include "configuration/error.hpp"
-#include "program/case_program.hpp"
+#include "program/case.hpp"
 #include "support/messages.hpp"
 
 namespace flowslide {

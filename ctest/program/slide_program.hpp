@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "program/case_program.hpp"
 #include "program/slide_case.hpp"
 #include "program/slide_case_text.hpp"
 #include "support/messages.hpp"

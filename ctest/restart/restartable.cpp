@@ -3,6 +3,7 @@
 // It reads $RESTARTABLE_CASE/case.toml.
 #include <cstdlib>
 
+#include "program/case_program.hpp"
 #include "program/slide_case.hpp"
 
 namespace flowslide {

@@ -8,6 +8,7 @@
 
 #include "dem/make_engine.hpp"
 #include "input/read_samples.hpp"
+#include "program/case_program.hpp"
 #include "record/result_file.hpp"
 #include "run/run_identity.hpp"
 #include "sample_library/sample_cache.hpp"
