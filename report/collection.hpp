@@ -38,7 +38,7 @@ struct CaseResults {
   bool empty() const { return verdicts.empty() && tables.empty() && runs.empty(); }
 };
 
-/// The verdicts in a claims.json that json() of claims/claims.hpp wrote. Throws std::invalid_argument for any other text.
+/// The verdicts in a claims.json (see json() of claims/claims.hpp). Throws std::invalid_argument for any other text.
 std::vector<Verdict> verdicts_from_json(std::string_view text);
 
 /// Every case of `project` (its cases/ and plots/figures.txt) with its results in `results`/<case>/<scale>: those with

@@ -23,7 +23,7 @@ struct Result {
   std::vector<InputTable> inputs = {};  ///< tables that the run has read from files
   /// What the run was given, such as a hydraulic conductivity: it is read from here, never from a name.
   std::vector<Metric> parameters = {};
-  /// Means over fixed windows, one series for each abscissa (time, shear_strain, displacement): see experiment/windows.hpp.
+  /// Means over fixed windows, one series for each abscissa (time, shear_strain, displacement): see WindowRecord.
   std::vector<Series> windows = {};
 };
 

@@ -58,7 +58,8 @@ TEST(RunIdentity, DiffersByEverythingThatWentIn) {
   const auto difference = [&](const RunIdentity& there) { return now.difference_from(there); };
   EXPECT_EQ(difference(identity(inputs("native"), "engine = \"native\"\nslope.angle = \"0.2 rad\"\n")),
             "slope.angle = \"0.2 rad\" there, \"0.1 rad\" now");
-  EXPECT_EQ(difference({"fig12_pulse", "RI", inputs("native"), configuration, versions(inputs("native"))}), "point name = RI there, RD now");
+  EXPECT_EQ(difference({"fig12_pulse", "RI", inputs("native"), configuration, versions(inputs("native"))}),
+            "point name = RI there, RD now");
   EXPECT_EQ(difference({"fig13_k", "RD", inputs("native"), configuration, versions(inputs("native"))}),
             "case name = fig13_k there, fig12_pulse now");
   EXPECT_CONTAINS(difference(identity(inputs("native", {{0.0, 1.0}, {0.0, 501.0}}))), "loading table = 2 rows (hash ");

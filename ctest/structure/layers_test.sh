@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# layers_test.sh [ROOT]: fails when a file of core/ or cases/ includes a folder that its own may not include, and names the
-# arrow. Without ROOT it also proves on a small tree of its own that each kind of complaint is made.
+# layers_test.sh [ROOT]: fails when a file of core/ or cases/ includes a folder that its own may not include, and names
+# the arrow. Without ROOT it also checks on small trees of its own that each kind of complaint is made.
 set -euo pipefail
 script=$(realpath "$0")
 checks_itself=$(($# == 0))
@@ -54,9 +54,10 @@ check_file() {
       complain "$file:$line: \"$included\" leaves its folder by '..'; name it from core/"
     elif [[ $included == */* && -n ${below[$target]+known} && $target != "$folder" &&
             " ${below[$folder]} " != *" $target "* ]] && ! excepted "$folder" "$included"; then
-      complain "$file:$line: $folder -> $target (\"$included\"); $folder may include: ${below[$folder]:-nothing of the project}"
+      complain "$file:$line: $folder -> $target (\"$included\"); $folder may include: ${below[$folder]:-nothing}"
     fi
-  done < <(sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]\([^>"]*\)[>"].*/\1/;t found;b;:found;=;p' "$file" | paste -d : - -)
+  done < <(sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]\([^>"]*\)[>"].*/\1/;t found;b;:found;=;p' "$file" |
+             paste -d : - -)
 }
 
 # expect_complaint FOLDER INCLUDE PATTERN: in a tree of one file with that include, this test fails with that complaint;
