@@ -78,8 +78,5 @@ std::string markdown_table(const std::vector<Verdict>& verdicts);
 /// An array of objects; "met" is true, false, or null if the claim is not evaluated; a number that is not finite is
 /// null.
 std::string json(const std::vector<Verdict>& verdicts);
-/// Blank-separated columns with a "#" header: id, measured, threshold, upper threshold, met (1, 0, or NaN if it is not
-/// evaluated); texts in quotes.
-std::string data_table(const std::vector<Verdict>& verdicts);
 
 }  // namespace flowslide

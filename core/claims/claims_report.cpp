@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Verdicts as text: for a terminal, for README, for programs and for gnuplot.
+// Verdicts as text: for a terminal, for README and for programs.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,29 +12,6 @@
 namespace flowslide {
 namespace {
 
-std::string json_text(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (byte < 0x20) {
-      quoted += fmt::format("\\u{:04x}", byte);
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
-std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
-
-const char* json_met(Ruling ruling) {
-  return ruling == Ruling::met ? "true" : ruling == Ruling::not_met ? "false" : "null";
-}
-const char* data_met(Ruling ruling) { return ruling == Ruling::met ? "1" : ruling == Ruling::not_met ? "0" : "NaN"; }
-
 /// A cell of a Markdown table: no bar ends it early, no line break ends the row.
 std::string markdown_cell(std::string_view text) {
   std::string cell;
@@ -42,13 +20,6 @@ std::string markdown_cell(std::string_view text) {
     cell += c == '\n' ? ' ' : c;
   }
   return cell;
-}
-
-/// A field of a table of columns: quotes would end it early.
-std::string data_text(std::string text) {
-  std::replace(text.begin(), text.end(), '"', '\'');
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return '"' + text + '"';
 }
 
 }  // namespace
@@ -101,31 +72,25 @@ std::string markdown_table(const std::vector<Verdict>& verdicts) {
 }
 
 std::string json(const std::vector<Verdict>& verdicts) {
-  std::string text = "[";
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Verdict& verdict : verdicts) {
     const Claim& claim = verdict.claim;
-    text += text.size() == 1 ? "\n" : ",\n";
-    text += fmt::format("  {{\"id\": {}, \"figure\": {}, \"sentence\": {}, \"metric\": {}, \"relation\": {}, ",
-                        json_text(claim.id), json_text(claim.figure), json_text(claim.sentence),
-                        json_text(claim.metric), json_text(symbol_of(claim.relation)));
-    text += fmt::format("\"threshold\": {}, \"upper_threshold\": {}, \"unit\": {}, \"origin\": {}, ",
-                        json_number(claim.threshold), json_number(claim.upper_threshold), json_text(claim.unit),
-                        json_text(claim.origin));
-    text += fmt::format("\"measured\": {}, \"met\": {}, \"reason\": {}}}", json_number(verdict.measured),
-                        json_met(verdict.ruling), json_text(verdict.reason));
+    nlohmann::ordered_json met;  // null
+    if (verdict.ruling != Ruling::not_evaluated) met = verdict.ruling == Ruling::met;
+    all.push_back({{"id", claim.id},
+                   {"figure", claim.figure},
+                   {"sentence", claim.sentence},
+                   {"metric", claim.metric},
+                   {"relation", symbol_of(claim.relation)},
+                   {"threshold", claim.threshold},
+                   {"upper_threshold", claim.upper_threshold},
+                   {"unit", claim.unit},
+                   {"origin", claim.origin},
+                   {"measured", verdict.measured},
+                   {"met", met},
+                   {"reason", verdict.reason}});
   }
-  return text + (verdicts.empty() ? "]\n" : "\n]\n");
-}
-
-std::string data_table(const std::vector<Verdict>& verdicts) {
-  std::string text = "# id measured threshold upper_threshold unit met figure sentence\n";
-  for (const Verdict& verdict : verdicts) {
-    const Claim& claim = verdict.claim;
-    text += fmt::format("{} {} {} {} {} {} {} {}\n", data_text(claim.id), verdict.measured, claim.threshold,
-                        claim.upper_threshold, data_text(claim.unit), data_met(verdict.ruling), data_text(claim.figure),
-                        data_text(claim.sentence));
-  }
-  return text;
+  return all.dump(1) + "\n";
 }
 
 }  // namespace flowslide

@@ -2,15 +2,16 @@
 #include "program/case_program.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "claims/claims.hpp"
-#include "configuration/canonical.hpp"
 #include "configuration/error.hpp"
 #include "process/exit_code.hpp"
 #include "process/mpi_session.hpp"
@@ -76,8 +77,6 @@ class CaseProgram {
     for (const Point& point : points) all.push_back(point.name);
     return all;
   }
-  /// As JSON has it, too.
-  static std::string quoted(const std::string& text) { return canonical(std::string_view(text)); }
   bool first_rank() const { return mpi_rank() == 0; }
 
   int list() const {
@@ -85,31 +84,21 @@ class CaseProgram {
     if (!changed_.empty() && !options_.json)
       std::cerr << fmt::format("flowslide: settings that are not those of the case: {}; its claims are not evaluated\n",
                                fmt::join(changed_, "; "));
-    std::string text = options_.json ? "{\"points\": [" : "# name\tseconds\tdescription\n";
-    bool first = true;
+    nlohmann::ordered_json all;
+    all["points"] = nlohmann::ordered_json::array();
+    std::string text = "# name\tseconds\tdescription\n";
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
-      if (!options_.json) {
-        text += fmt::format("{}\t{:.0f}\t{}\n", point.name, point.predicted_seconds, point.description);
-        continue;
-      }
-      std::string figures;
-      for (const std::string& figure : point.figures) figures += (figures.empty() ? "" : ", ") + quoted(figure);
-      text += fmt::format(
-          "{}\n  {{\"name\": {}, \"figures\": [{}], \"predicted_seconds\": {:.1f}, \"sample\": {}, "
-          "\"description\": {}}}",
-          first ? "" : ",", quoted(point.name), figures, point.predicted_seconds, quoted(point.sample),
-          quoted(point.description));
-      first = false;
+      text += fmt::format("{}\t{:.0f}\t{}\n", point.name, point.predicted_seconds, point.description);
+      all["points"].push_back({{"name", point.name},
+                               {"figures", point.figures},
+                               {"predicted_seconds", std::round(10.0 * point.predicted_seconds) / 10.0},
+                               {"sample", point.sample},
+                               {"description", point.description}});
     }
-    std::cout << text << (options_.json ? "\n]" + changed_json() + "}\n" : "");
+    if (!changed_.empty()) all["changed"] = changed_;
+    std::cout << (options_.json ? all.dump(1) + "\n" : text);
     return to_int(ExitCode::ok);
-  }
-
-  std::string changed_json() const {
-    std::string text;
-    for (const std::string& setting : changed_) text += (text.empty() ? "" : ", ") + quoted(setting);
-    return text.empty() ? "" : ", \"changed\": [" + text + "]";
   }
 
   int plan() const {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a study of a case may change, and what is refused: loadings, settings, names and replicates.
+#include <nlohmann/json.hpp>
+
 #include "program/slide_program.hpp"
 #include "record/result_file.hpp"
 
@@ -25,13 +27,15 @@ TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
   ASSERT_EQ(run({"--set", "loading.amplitude=2 kPa"}), 0) << error_;
   EXPECT_CONTAINS(text_, "not evaluated  Fig. 12  all_there  > 0       2");  // measured, but not judged
   EXPECT_CONTAINS(text_, "not the paper's settings: " + changed);
-  EXPECT_CONTAINS(content_of(output() / "claims.json"), "\"measured\": 2, \"met\": null");
+  const auto claim = nlohmann::json::parse(content_of(output() / "claims.json")).at(0);
+  EXPECT_EQ(claim.at("measured"), 2.0);
+  EXPECT_TRUE(claim.at("met").is_null());
   EXPECT_EQ(content_of(output() / "changes.txt"), changed + "\n");
   ASSERT_EQ(run({"--list", "--set", "loading.amplitude=2 kPa"}), 0);
   EXPECT_CONTAINS(text_, "pulse of 2 kPa over 2 s");
   EXPECT_CONTAINS(error_, "settings that are not those of the case: " + changed + "; its claims are not evaluated");
   ASSERT_EQ(run({"--list", "--json", "--set", "loading.amplitude=2 kPa"}), 0);
-  EXPECT_CONTAINS(text_, "\"changed\": [\"loading.amplitude = \\\"2000.0 Pa\\\", not ");
+  EXPECT_EQ(nlohmann::json::parse(text_).at("changed"), nlohmann::json::array({changed}));
 }
 
 TEST_F(SlideProgram, JudgesAStudyThatChoosesAnotherDraw) {

@@ -31,7 +31,7 @@ settings_for() {
   ! "$program" --dry-run | grep -q '^packing.lattice' || small=(--set 'packing.lattice=[5, 5, 6]')
   # Of each point: seconds, name, sample without its seed, and "alone" for a test of the sample without a slope.
   IFS='|' read -r _ point sample test < <("$program" --engine "$engine" "${small[@]}" --list --json |
-    sed -n 's/.*"name": "\([^"]*\)".*"predicted_seconds": \([^,]*\), "sample": "\([^"]*\)", "description": "\([^"]*\)".*/\2|\1|\3|\4/p' |
+    jq -r '.points[] | "\(.predicted_seconds)|\(.name)|\(.sample)|\(.description)"' |
     sed 's/_seed[0-9]*|/|/' | sort -t '|' -n -s)
   printf '%s\n' --point "$point"
   [[ -n $sample ]] || return 0
