@@ -131,14 +131,4 @@ std::optional<FileLock> SampleStore::try_lock(const std::string& key) const {
 
 std::string SampleStore::holder(const std::string& key) const { return FileLock::holder(lock_path(key)); }
 
-StoredSample SampleStore::find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const {
-  if (auto sample = find(key)) return *std::move(sample);
-  const auto held = lock(key);
-  // Another process may have prepared it while this one waited.
-  if (auto sample = find(key)) return *std::move(sample);
-  auto sample = prepare();
-  put(key, sample);
-  return sample;
-}
-
 }  // namespace flowslide

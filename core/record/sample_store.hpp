@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,8 +53,6 @@ class SampleStore {
   std::optional<FileLock> try_lock(const std::string& key) const;
   /// Who holds the lock of `key`, as FileLock::holder says.
   std::string holder(const std::string& key) const;
-  /// The sample, prepared by `prepare` and kept if there is none. Two processes that need the same one prepare it once.
-  StoredSample find_or_prepare(const std::string& key, const std::function<StoredSample()>& prepare) const;
   /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.
   std::filesystem::path path(const std::string& key) const;
   /// <folder>/<key>.failed. Throws as path().
