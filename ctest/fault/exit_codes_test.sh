@@ -57,13 +57,24 @@ allow_unstable = false
 CASE
 : >"$room/claims.toml"
 
+# rank FILE PROGRAM OPTIONS...: one rank, which writes its code to FILE.<rank>. mpirun ends the other ranks when one has
+# ended with a code: each waits until both are written.
+cat >"$room/rank" <<'RANK'
+file=$1
+shift
+code=0
+"$@" || code=$?
+echo "$code" >"$file.$OMPI_COMM_WORLD_RANK"
+for _ in {1..200}; do [[ -e $file.0 && -e $file.1 ]] && break; sleep 0.05; done
+exit "$code"
+RANK
+
 failures=0
 # expect CODE PATTERN OPTIONS...: the code of both ranks and of mpirun, and what is said.
 expect() {
   local wanted=$1 pattern=$2 code=0 codes
   shift 2
-  "${launch[@]}" bash -c '"$@"; code=$?; echo "$code" >"$0.$OMPI_COMM_WORLD_RANK"; exit "$code"' "$room/code" \
-    "$program" "$@" >"$room/said" 2>&1 || code=$?
+  "${launch[@]}" bash "$room/rank" "$room/code" "$program" "$@" >"$room/said" 2>&1 || code=$?
   codes="$code $(cat "$room/code.0" "$room/code.1" | paste -sd ' ')"
   rm -f "$room"/code.*
   if [[ $codes != "$wanted $wanted $wanted" ]] || ! grep -q -e "$pattern" "$room/said"; then
