@@ -43,6 +43,7 @@ optional_columns(prefix, tables, names) = asked("columns", sprintf("-v prefix=%s
 rows(tables) = int(asked("rows", "", tables))
 number_in(text) = text eq "" ? NaN : real(text)
 first_of(table, number) = number_in(asked("first", sprintf("-v number=%d", number), table))
+values_of(table, number) = asked("values", sprintf("-v number=%d", number), table)   # those that differ, with blanks between
 mean_of(table, number) = number_in(asked("mean", sprintf("-v number=%d", number), table))
 # frame(TABLES, RANGES): to be evaluated before a panel of tables that may have no rows, as gnuplot refuses to draw nothing
 # in a frame of its own choice. RANGES are commands such as "set yrange [0:1]".

@@ -5,6 +5,7 @@
 #            with a head has it; `missing` is the number of those that it lacks, or 0: then gnuplot is to end
 #   rows     the number of rows of all tables
 #   first    the value of column `number` in the first row, mean: its mean over all rows; nothing where there is none
+#   values   the values of column `number` that differ, in the order of their first rows, with blanks between
 #   label    what stands behind the tab in the last line that begins with `wanted`; `wanted` if there is none
 BEGIN { FS = "\t" }
 FNR == 1 && heads > 0 && ask == "columns" { exit }
@@ -27,6 +28,7 @@ ask == "label" { if ($1 == wanted) label = $2; next }
     split($0, values, /[ \t]+/)
     if (rows == 1) first = values[number]
     sum += values[number]
+    if (!(values[number] in seen)) { seen[values[number]] = 1; differing = differing (differing == "" ? "" : " ") values[number] }
   }
 }
 END {
@@ -46,5 +48,6 @@ END {
   # Written with a point: real() of gnuplot 5.4 refuses "4e-05".
   if (ask == "first" && rows > 0) { if (first ~ /^[-+]?[.0-9]/) printf "%.16e\n", first; else print first }
   if (ask == "mean" && rows > 0) printf "%.16e\n", sum / rows
+  if (ask == "values") print differing
   if (ask == "label") printf "%s", label == "" ? wanted : label
 }

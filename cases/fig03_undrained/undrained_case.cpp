@@ -10,6 +10,7 @@
 #include "configuration/error.hpp"
 #include "configuration/tables.hpp"
 #include "curve_metrics.hpp"
+#include "curves_table.hpp"
 #include "dem/make_engine.hpp"
 #include "experiment/ensemble.hpp"
 #include "input/read_samples.hpp"
@@ -17,6 +18,7 @@
 #include "process/ranks.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
+#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/hash.hpp"
 #include "record/result_file.hpp"
@@ -209,10 +211,12 @@ std::map<std::string, double> UndrainedCase::metrics(const std::filesystem::path
 
 void UndrainedCase::finish(const OutputFolder& output) const {
   Legend legend;
+  std::vector<std::pair<std::string, std::vector<Metric>>> all;
   for (const Curve& curve : curves_) {
     const std::string& name = curve.point.name;
     if (!output.has_result(name)) continue;
-    for (const Metric& metric : read_result(output.file(name + ".h5")).metrics) {
+    all.emplace_back(name, read_result(output.file(name + ".h5")).metrics);
+    for (const Metric& metric : all.back().second) {
       if (name.starts_with("e0") && metric.name == "initial_void_ratio")
         legend.add(name, fmt::format("e_0 = {:.3f}", metric.value));
       if (name.starts_with("I_") && metric.name == "initial_inertial_number")
@@ -220,6 +224,7 @@ void UndrainedCase::finish(const OutputFolder& output) const {
     }
   }
   legend.write(output);
+  write_atomically(output.file("curves.dat"), curves_table(all));
 }
 
 }  // namespace flowslide

@@ -29,7 +29,7 @@ class UndrainedCase : public Case {
   CaseDescription description() const override;
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
-  std::vector<std::string> tables() const override { return {"legend", "fig02_before", "fig02_during"}; }
+  std::vector<std::string> tables() const override { return {"legend", "curves", "fig02_before", "fig02_during"}; }
   void print_plan(const Point& point, std::ostream& out) const override;
   void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
   void run(const Point& point, const PointRun& run) const override;
