@@ -7,7 +7,7 @@ command = "scripts/sample_map"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample_map.gp")]
 load here."style.gp"
-eval columns("", "curves.dat", "preparation_friction preparation_drag initial_bulk_void_ratio coordination_number")
+eval columns("", "curves.dat", "preparation_friction preparation_drag initial_bulk_void_ratio mechanical_coordination_number")
 eval optional_columns("", "curves.dat", "peak_shear_stress")   # a sample that only dilates has none
 drags = values_of("curves.dat", preparation_drag)
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
@@ -25,24 +25,27 @@ do for [format in "png pdf"] {
   set title panel("A", "void ratio of the inner part")
   set xlabel "friction of the preparation μ_1"
   set ylabel "void ratio {/:Italic e}"
-  set key bottom left reverse Left title "drag {/:Italic c} (kg/s)"
+  set xtics 0.2
+  unset key
   plot for [i = 1:words(drags)] map using (of(word(drags, i), column(preparation_friction))):(column(initial_bulk_void_ratio)) \
          with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(drags, i)
 
-  unset key
+  set xtics 0.02
   set ylabel "peak of τ (kPa)"
   set yrange [0:20]
   set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, 0.5
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
-  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(initial_bulk_void_ratio))):(kilo * value("peak_shear_stress")) \
+  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(initial_bulk_void_ratio))):(kilo * column(peak_shear_stress)) \
          with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1], \
        pulse with lines dashtype 2 linecolor rgb grey
   set title panel("C", "strength over contacts")
-  set xlabel "coordination number"
-  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(coordination_number))):(kilo * value("peak_shear_stress")) \
-         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1], \
-       pulse with lines dashtype 2 linecolor rgb grey
+  set xlabel "coordination number without rattlers"
+  set xtics 0.2
+  set key top left reverse Left title "drag {/:Italic c} (kg/s)"
+  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(mechanical_coordination_number))):(kilo * column(peak_shear_stress)) \
+         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(drags, i), \
+       pulse with lines dashtype 2 linecolor rgb grey notitle
   unset label 1
   set yrange [*:*]
   unset multiplot
