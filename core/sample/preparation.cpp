@@ -62,6 +62,7 @@ class Preparation {
     const bool drags = stage_ >= 1 && stage_ <= 4 && recipe_.drag_stages[stage_ - 1];
     EngineSettings settings{recipe_.material, recipe_.time_step, drags ? recipe_.drag : 0.0, recipe_.drag_reference};
     if (stage_ < 4) settings.material.sliding_friction = recipe_.preparation_friction;
+    if (stage_ >= 1 && stage_ < 4) settings.material.restitution = recipe_.preparation_restitution;
     return settings;
   }
 
@@ -84,7 +85,8 @@ class Preparation {
       if (stage == 3) assembly.cell.periodic = {true, true, recipe_.periodic_height};
       else if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
       engine_.load(assembly, settings());
-    } else if (stage == 5 || settings().drag != engine_.settings().drag) {
+    } else if (stage == 5 || settings().drag != engine_.settings().drag ||
+               !(settings().material == engine_.settings().material)) {
       engine_.set(settings());
     }
   }

@@ -17,6 +17,7 @@ struct SampleRecipe {
   double normal_stress = 28.34e3;         ///< sigma_0, target of the three normal stresses, Pa
   double shear_stress = 2.650e3;          ///< tau_0, target of sigma_zx, Pa; 0 prepares an isotropic sample
   double preparation_friction = 0.3;      ///< mu_1 of stages 1 to 3; decides the density
+  double preparation_restitution = 0.8;   ///< of stages 1 to 3; below the material's, packings come to rest looser
   bool periodic_height = false;           ///< all three axes are periodic from stage 1 on and no layer is glued: for
                                           ///< homogeneous shear across the faces
   double drag = 0.03;  ///< c of the force -c (v - u) on each grain, kg/s; off before the sample is used
@@ -45,6 +46,7 @@ struct SampleRecipe {
         Field{"normal_stress", &SampleRecipe::normal_stress, "Pa", Bounds::positive()},
         Field{"shear_stress", &SampleRecipe::shear_stress, "Pa"},
         Field{"preparation_friction", &SampleRecipe::preparation_friction, "1", Bounds::between(0.0, 2.0)},
+        Field{"restitution", &SampleRecipe::preparation_restitution, "1", Bounds::above_up_to(0.0, 1.0)},
         Field{"periodic_height", &SampleRecipe::periodic_height},
         Field{"drag", &SampleRecipe::drag, "kg/s", Bounds::not_negative()},
         Field{"drag_reference", &SampleRecipe::drag_reference},

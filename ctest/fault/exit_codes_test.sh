@@ -32,6 +32,7 @@ servo_interval = 30
 mixing = "0 m/s"
 drag_reference = "rest"
 drag_stages = [1, 2, 3, 4]
+restitution = 0.8
 allow_uneven = true
 stress_tolerance = 5e-3
 kinetic_tolerance = 1e-8

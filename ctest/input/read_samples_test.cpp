@@ -47,6 +47,7 @@ kinetic_tolerance = 1e-8
 mixing = "0 m/s"
 drag_reference = "rest"
 drag_stages = [1, 2, 3, 4]
+restitution = 0.7
 allow_uneven = true
 [sample.loose]
 void_ratio = 0.79
@@ -183,6 +184,8 @@ TEST(ReadSamples, RefuseToGuessHowAPackingIsMixedAndWhatDragIsRelativeTo) {
     const std::string name = key;
     EXPECT_CONTAINS(complaint(name + " = ", name + "_was = "), "\"preparation." + name + "\" is missing");
   }
+  EXPECT_CONTAINS(complaint("restitution = 0.7", ""), "\"preparation.restitution\" is missing");
+  EXPECT_CONTAINS(complaint("restitution = 0.7", "restitution = 1.1"), "preparation.restitution = 1.1 is not allowed");
   EXPECT_CONTAINS(complaint("\"rest\"", "\"moon\""), "\"moon\"");
   EXPECT_CONTAINS(complaint("mixing = \"0 m/s\"", "mixing = \"-1 m/s\""), "preparation.mixing");
   EXPECT_CONTAINS(complaint("mixing = \"0 m/s\"", "mixing = \"50 m/s\""), "overlap");
@@ -220,6 +223,7 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
       {"drag", {"drag = \"0.06 kg/s\"", "drag = \"0.03 kg/s\""}},
       {"drag_reference", {"\"rest\"", "\"uniform compression\""}},
       {"drag_stages", {"[1, 2, 3, 4]", "[2, 3]"}},
+      {"restitution", {"restitution = 0.7", "restitution = 0.4"}},
       {"mixing", {"\"0 m/s\"\n", "\"0.4 m/s\"\n"}},
       {"time_step", {"time_step = \"1e-5 s\"", "time_step = \"5e-6 s\""}},
       {"loose_void_ratio", {"loose_void_ratio = 1.2", "loose_void_ratio = 1.3"}},
@@ -300,10 +304,10 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
   EXPECT_CONTAINS(complaint("void_ratio = 0.79", "void_ratio = 0.3"),
-                  "case.toml:36:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:43:14: sample.isotropic.void_ratio");
-  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:37:13: sample.loose.tolerance = 0");
-  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:38:15: sample.loose.most_trials = 0");
+                  "case.toml:37:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
+  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:44:14: sample.isotropic.void_ratio");
+  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:38:13: sample.loose.tolerance = 0");
+  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:39:15: sample.loose.most_trials = 0");
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
@@ -311,7 +315,7 @@ TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
                   "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
   EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:27:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
-  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:40:8: sample.loose.drag");
+  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:41:8: sample.loose.drag");
   EXPECT_CONTAINS(complaint("isotropic = false\n", ""), "\"sample.loose.isotropic\" is missing: true or false");
 }
 

@@ -42,6 +42,7 @@ kinetic_tolerance = 1e-8
 mixing = "0 m/s"
 drag_reference = "rest"
 drag_stages = [1, 2, 3, 4]
+restitution = 0.8
 allow_uneven = true
 [sample.loose]
 void_ratio = 0.79

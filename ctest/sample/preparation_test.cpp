@@ -157,6 +157,26 @@ TEST(Preparation, DragActsInTheStagesThatAreNamed) {
   EXPECT_EQ(drags, (std::vector<double>{0.0, 0.0, recipe.drag, 0.0, recipe.drag, 0.0}));
 }
 
+TEST(Preparation, FrictionAndRestitutionOfItsOwnEndBeforeStageFour) {
+  SampleRecipe recipe = small_recipe();
+  recipe.mixing_velocity = 0.5;
+  recipe.preparation_friction = 0.7;
+  recipe.preparation_restitution = 0.4;
+  const auto engine = make_engine("native", "");
+  std::vector<Material> materials(6);
+  prepare_sample(*engine, recipe, [&](const PreparationProgress& now) {
+    materials[static_cast<std::size_t>(now.stage)] = engine->settings().material;
+  });
+  std::vector<double> frictions, restitutions;
+  for (const Material& material : materials) {
+    frictions.push_back(material.sliding_friction);
+    restitutions.push_back(material.restitution);
+  }
+  const double friction = recipe.material.sliding_friction, restitution = recipe.material.restitution;
+  EXPECT_EQ(frictions, (std::vector{0.7, 0.7, 0.7, 0.7, friction, friction}));
+  EXPECT_EQ(restitutions, (std::vector{restitution, 0.4, 0.4, 0.4, restitution, restitution}));
+}
+
 TEST(Preparation, SaysWhichStageFailed) {
   const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
   SampleRecipe recipe = small_recipe();

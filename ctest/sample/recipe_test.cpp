@@ -43,6 +43,7 @@ TEST(Recipe, RefusesWhatCannotBePrepared) {
       [](SampleRecipe& r) { r.material.sliding_friction = 0.0; },
       [](SampleRecipe& r) { r.preparation_friction = -0.1; },
       [](SampleRecipe& r) { r.drag = -1.0; },
+      [](SampleRecipe& r) { r.preparation_restitution = 0.0; },
       [](SampleRecipe& r) { r.loose_void_ratio = 0.7; },
       [](SampleRecipe& r) { r.compaction_rate = 0.0; },
       [](SampleRecipe& r) { r.servo_rates[0] = 0.0; },
