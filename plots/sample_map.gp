@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # What a recipe gives: (A) void ratio of the inner part, away from the planes, over the friction of stages 1 to 3, a line
-# for each drag; (B) peak of the shear stress of the same samples, sheared undrained, over that void ratio, with the
-# stress tau_0 + 3 kPa that the pulse of Figs. 11 to 14 reaches; (C) the same over the coordination number.
+# for each drag, or for each restitution of samples without drag; (B) peak of the shear stress of the same samples,
+# sheared undrained, over that void ratio, with the stress tau_0 + 3 kPa that the pulse of Figs. 11 to 14 reaches; (C) the
+# same over the coordination number.
 tables = "curves.dat"
 command = "scripts/sample_map"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample_map.gp")]
 load here."style.gp"
-eval columns("", "curves.dat", "preparation_friction preparation_drag initial_bulk_void_ratio mechanical_coordination_number")
+eval columns("", "curves.dat", "preparation_friction preparation_drag preparation_restitution")
+eval columns("", "curves.dat", "initial_bulk_void_ratio mechanical_coordination_number")
 eval optional_columns("", "curves.dat", "peak_shear_stress")   # a sample that only dilates has none
-drags = values_of("curves.dat", preparation_drag)
+by_drag = words(values_of("curves.dat", preparation_drag)) > 1
+second = by_drag ? preparation_drag : preparation_restitution
+lines = values_of("curves.dat", second)
+lines_are = by_drag ? "drag {/:Italic c} (kg/s)" : "restitution"
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
 set datafile missing NaN
-of(drag, x) = column(preparation_drag) == drag ? x : NaN
+of(line, x) = column(second) == line ? x : NaN
 map = data("curves.dat")
 pulse = 5.65  # kPa
 
@@ -27,8 +32,8 @@ do for [format in "png pdf"] {
   set ylabel "void ratio {/:Italic e}"
   set xtics 0.2
   unset key
-  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(preparation_friction))):(column(initial_bulk_void_ratio)) \
-         with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(drags, i)
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(preparation_friction))):(column(initial_bulk_void_ratio)) \
+         with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
 
   set xtics 0.02
   set ylabel "peak of τ (kPa)"
@@ -36,15 +41,15 @@ do for [format in "png pdf"] {
   set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, 0.5
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
-  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(initial_bulk_void_ratio))):(kilo * column(peak_shear_stress)) \
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(initial_bulk_void_ratio))):(kilo * column(peak_shear_stress)) \
          with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1], \
        pulse with lines dashtype 2 linecolor rgb grey
   set title panel("C", "strength over contacts")
   set xlabel "coordination number without rattlers"
   set xtics 0.2
-  set key top left reverse Left title "drag {/:Italic c} (kg/s)"
-  plot for [i = 1:words(drags)] map using (of(word(drags, i), column(mechanical_coordination_number))):(kilo * column(peak_shear_stress)) \
-         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(drags, i), \
+  set key top left reverse Left title lines_are
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(mechanical_coordination_number))):(kilo * column(peak_shear_stress)) \
+         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i), \
        pulse with lines dashtype 2 linecolor rgb grey notitle
   unset label 1
   set yrange [*:*]

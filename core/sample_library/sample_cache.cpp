@@ -177,6 +177,7 @@ std::vector<Metric> metrics_of(const FoundSample& found) {
       {"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
       {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1", "void ratio a mean diameter away from the planes"},
       {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
+      {"preparation_restitution", found.recipe.preparation_restitution, "1", "restitution of stages 1 to 3"},
       {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
       {"mixing_velocity", found.recipe.mixing_velocity, "m/s",
        found.recipe.mixing_velocity > 0.0 ? "of the grains before stage 1" : "lattice: not mixed before stage 1"},
