@@ -23,9 +23,9 @@ commands_of() {
 # Lines PAGE<TAB>CASE OF THE PAGE<TAB>COMMAND.
 collect() {
   local page case
-  for page in README.md cases/*/README.md; do
+  for page in README.md docs/*.md cases/*/README.md; do
     case=$(basename "$(dirname "$page")")
-    [[ $page != README.md ]] || case=fig03_undrained   # of which its options alone are
+    [[ $page == cases/* ]] || case=fig03_undrained   # of which its options alone are
     commands_of "$page" | sed -e 's/  *#.*//' -e "s|^|$page\t$case\t|"
   done
   for page in cases/*/*.toml; do
