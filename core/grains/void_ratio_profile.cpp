@@ -10,6 +10,7 @@
 namespace flowslide {
 namespace {
 
+constexpr std::size_t wall_slices = 2;  ///< see without_wall_layers
 constexpr double slice_scatter = 0.27;  ///< see counting_deviation
 
 /// Adds the parts of a sphere to the solid volumes of the slices; `centre` above the lower end of the cell.
@@ -43,6 +44,12 @@ std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int s
 
 int slices_of_a_diameter(const Assembly& assembly, int axis) {
   return std::max(1, static_cast<int>(std::lround(assembly.cell.lengths()[axis] / assembly.mean_diameter())));
+}
+
+std::vector<double> without_wall_layers(const std::vector<double>& slices) {
+  if (slices.empty()) return {};
+  const auto layers = static_cast<std::ptrdiff_t>(std::min<std::size_t>(wall_slices, (slices.size() - 1) / 2));
+  return {slices.begin() + layers, slices.end() - layers};
 }
 
 double counting_deviation(double cross_section, double mean_diameter) {

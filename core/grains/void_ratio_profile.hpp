@@ -14,6 +14,12 @@ std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int s
 /// Number of equal slices across an axis that are nearest to one mean diameter thick.
 int slices_of_a_diameter(const Assembly& assembly, int axis);
 
+/// The slices of a profile, one diameter thick each, without those that a plane at either end loosens: two, or as many as
+/// leave one. A plane orders the grains next to it. In samples of 8800 grains the solid fraction of the first slice is
+/// 0.88 of the middle's, that of the second 0.96, that of the third within 1 %; the first two together have 0.94, in
+/// samples prepared with drag and without (docs/samples.md).
+std::vector<double> without_wall_layers(const std::vector<double>& slices);
+
 /// Standard deviation of the void ratio of a slice, one mean diameter D thick, of a random packing of the cross-section
 /// A: 0.27 D/sqrt(A). It is counting: slices of uniform packings vary by the grains that their faces cut, whose number
 /// goes with A. Measured on 10 samples of 1100 grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one of 8800,

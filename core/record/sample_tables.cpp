@@ -19,8 +19,8 @@ constexpr double bin_width = 0.05, longest_distance = 3.0;  // mean diameters
 Series slices(const Assembly& sample, int axis) {
   const std::vector<double> void_ratios = void_ratio_profile(sample, axis, slices_of_a_diameter(sample, axis));
   const auto count = static_cast<double>(void_ratios.size());
-  double inner = std::accumulate(void_ratios.begin(), void_ratios.end(), 0.0) / count;
-  if (count > 2) inner = (inner * count - void_ratios.front() - void_ratios.back()) / (count - 2);
+  const std::vector<double> away = without_wall_layers(void_ratios);
+  const double inner = std::accumulate(away.begin(), away.end(), 0.0) / static_cast<double>(away.size());
   const double band =
       2.0 * counting_deviation(sample.cell.volume() / sample.cell.lengths()[axis], sample.mean_diameter());
   Series series{{"place", "x / L", "1", "place across the cell", "", {}},

@@ -41,10 +41,7 @@ void look_at_slices(AxisHealth& health, const std::vector<double>& void_ratios) 
 AxisHealth axis_health(const Assembly& sample, const SampleRecipe& recipe, int axis) {
   AxisHealth health;
   std::vector<double> void_ratios = void_ratio_profile(sample, axis, slices_of_a_diameter(sample, axis));
-  if (!recipe.periodic_height && void_ratios.size() > 2) {
-    void_ratios.pop_back();
-    void_ratios.erase(void_ratios.begin());
-  }
+  if (!recipe.periodic_height) void_ratios = without_wall_layers(void_ratios);
   look_at_slices(health, void_ratios);
   const double cross_section = sample.cell.volume() / sample.cell.lengths()[axis];
   health.counting = counting_deviation(cross_section, sample.mean_diameter());

@@ -11,8 +11,8 @@
 
 namespace flowslide {
 
-/// How even a sample is across one axis. Void ratios are of slices of one mean diameter; if the axis had walls, the
-/// slice at each end is left out.
+/// How even a sample is across one axis. Void ratios are of slices of one mean diameter; if the axis had walls, their
+/// layers are left out (see without_wall_layers).
 struct AxisHealth {
   int slices = 0;                  ///< that are looked at
   double spread = 0.0;             ///< standard deviation of their void ratios

@@ -65,6 +65,15 @@ TEST(VoidRatioProfile, OfALatticeIsThatOfItsLayers) {
   EXPECT_GT(void_ratio_profile(seamed, 2, 6)[2], 30.0 * void_ratio_profile(seamed, 2, 6)[1]);
 }
 
+TEST(WithoutWallLayers, LeavesOutTwoSlicesAtEachEndOrAsManyAsLeaveOne) {
+  const auto left = [](std::vector<double> slices) { return without_wall_layers(slices); };
+  EXPECT_EQ(left({1, 2, 3, 4, 5, 6, 7}), (std::vector<double>{3, 4, 5}));
+  EXPECT_EQ(left({1, 2, 3, 4, 5}), (std::vector<double>{3}));
+  EXPECT_EQ(left({1, 2, 3, 4}), (std::vector<double>{2, 3}));
+  EXPECT_EQ(left({1, 2}), (std::vector<double>{1, 2}));
+  EXPECT_EQ(left({}), std::vector<double>{});
+}
+
 TEST(VoidRatioProfile, RefusesNoSlicesAndEmptyOnes) {
   const Assembly lattice = testing::cubic_lattice(3, 4.0, false);
   EXPECT_THROW(void_ratio_profile(lattice, 0, 0), std::invalid_argument);

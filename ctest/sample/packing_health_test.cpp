@@ -30,8 +30,8 @@ TEST(PackingHealth, OfALatticeShowsItsOrderAndItsContacts) {
     EXPECT_NEAR(axis.largest_order, 1.0, 1e-4);
     EXPECT_LT(axis.spread, 0.01);
   }
-  EXPECT_EQ(health.axes[0].slices, 8);
-  EXPECT_EQ(health.axes[2].slices, 9);
+  EXPECT_EQ(health.axes[0].slices, 6);
+  EXPECT_EQ(health.axes[2].slices, 7);
   EXPECT_NEAR(health.network.mechanical_coordination_number, 6.0, 0.1);
   EXPECT_NE(unevenness(health).find("order of the lattice along"), std::string::npos) << unevenness(health);
 }
@@ -60,7 +60,7 @@ TEST(PackingHealth, OfIndependentPositionsHasNoOrderAndASeamIsSeen) {
   const double before = packing_health(seamed, recipe).axes[2].seam;
   for (std::size_t i = 400; i < 700; ++i) seamed.radius[i] *= std::cbrt(2.0 / 3.0);
   const PackingHealth health = packing_health(seamed, recipe);
-  // Nine inner slices: the middle three have 3/2 (1 + e) - 1.
+  // Seven inner slices: the middle three have 3/2 (1 + e) - 1.
   EXPECT_NEAR(health.axes[2].seam - before, 0.5 * (1.0 + void_ratio_profile(touching_lattice(10, 11), 2, 11)[5]), 0.1);
 }
 
