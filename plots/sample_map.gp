@@ -38,20 +38,19 @@ do for [format in "png pdf"] {
   set xtics 0.02
   set ylabel "peak of τ (kPa)"
   set yrange [0:20]
+  set arrow 1 from graph 0, first pulse to graph 1, first pulse nohead dashtype 2 linecolor rgb grey
   set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, 0.5
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column(initial_bulk_void_ratio))):(kilo * column(peak_shear_stress)) \
-         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1], \
-       pulse with lines dashtype 2 linecolor rgb grey
+         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1]
   set title panel("C", "strength over contacts")
   set xlabel "coordination number without rattlers"
   set xtics 0.2
   set key top left reverse Left title lines_are
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column(mechanical_coordination_number))):(kilo * column(peak_shear_stress)) \
-         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i), \
-       pulse with lines dashtype 2 linecolor rgb grey notitle
-  unset label 1
+         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
+  unset label 1; unset arrow 1
   set yrange [*:*]
   unset multiplot
   set output

@@ -15,9 +15,9 @@ std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int s
 int slices_of_a_diameter(const Assembly& assembly, int axis);
 
 /// The slices of a profile, one diameter thick each, without those that a plane at either end loosens: two, or as many as
-/// leave one. A plane orders the grains next to it. In samples of 8800 grains the solid fraction of the first slice is
-/// 0.88 of the middle's, that of the second 0.96, that of the third within 1 %; the first two together have 0.94, in
-/// samples prepared with drag and without (docs/samples.md).
+/// leave one. A plane orders the grains next to it: in a sample of 8800 grains the solid fraction of the first slice is
+/// 0.88 of the middle's, that of the second 0.96, that of the third 0.99; samples without drag have such layers, too
+/// (docs/samples.md, "Walls").
 std::vector<double> without_wall_layers(const std::vector<double>& slices);
 
 /// Standard deviation of the void ratio of a slice, one mean diameter D thick, of a random packing of the cross-section
