@@ -25,6 +25,8 @@
 #include "run/legend.hpp"
 
 namespace flowslide {
+std::unique_ptr<Case> make_case() { return std::make_unique<UndrainedCase>(); }
+
 CaseDescription UndrainedCase::description() const {
   return {"fig03_undrained",
           "Constant-volume simple shear of loose packings (Figs. 2, 3 and 4)",

@@ -9,6 +9,8 @@
 
 namespace flowslide {
 
+std::unique_ptr<Case> make_case() { return std::make_unique<ConvergenceCase>(); }
+
 ConvergenceCase::ConvergenceCase()
     : SlideCase({"fig06_convergence",
                  "A slope on a sample of given inertial number as dt_G shrinks (Figs. 6 and 7)",

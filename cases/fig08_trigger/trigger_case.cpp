@@ -26,6 +26,8 @@ std::string peak_line(const std::string& name, const Result& result) {
 
 }  // namespace
 
+std::unique_ptr<Case> make_case() { return std::make_unique<TriggerCase>(); }
+
 TriggerCase::TriggerCase()
     : SlideCase({"fig08_trigger",
                  "Triggering of a slope by a growing shear stress (Figs. 8, 9 and 10)",

@@ -15,6 +15,8 @@ namespace {
 constexpr int windows = 30;  ///< of displacement, for what jumps
 }
 
+std::unique_ptr<Case> make_case() { return std::make_unique<PulseCase>(); }
+
 PulseCase::PulseCase()
     : SlideCase({"fig12_pulse",
                  "Runout of a slope after a sine pulse (Figs. 11 and 12)",

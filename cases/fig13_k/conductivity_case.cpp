@@ -8,6 +8,8 @@
 
 namespace flowslide {
 
+std::unique_ptr<Case> make_case() { return std::make_unique<ConductivityCase>(); }
+
 ConductivityCase::ConductivityCase()
     : SlideCase({"fig13_k",
                  "Runout of a slope at several hydraulic conductivities (Fig. 13)",

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "input/read_samples.hpp"
 #include "mobility.hpp"
 #include "program/runout.hpp"
 #include "record/gnuplot_table.hpp"
 #include "run/legend.hpp"
 
 namespace flowslide {
+
+std::unique_ptr<Case> make_case() { return std::make_unique<VoidRatioCase>(); }
 
 VoidRatioCase::VoidRatioCase()
     : SlideCase({"fig14_e0",
@@ -24,7 +27,7 @@ void VoidRatioCase::compare(const Ensembles& slides, std::map<std::string, doubl
 }
 
 void VoidRatioCase::read(const Configuration& configuration) {
-  for (const std::string& name : configuration.subtables("sample"))
+  for (const std::string& name : samples_in_use(configuration))
     if (const std::string key = "sample." + name + ".paper_void_ratio"; configuration.has(key))
       paper_void_ratios_[name] = configuration.number(key, Range::inside(0.55, 1.0));
   SlideCase::read(configuration);

@@ -30,6 +30,8 @@ std::vector<Metric> counts_of(const std::vector<SceneTrial>& trials) {
 
 }  // namespace
 
+std::unique_ptr<Case> make_case() { return std::make_unique<HardCase>(); }
+
 CaseDescription HardCase::description() const {
   return {"hard", "Scenes that break codes of this kind, each with a verdict", FLOWSLIDE_VERSION, {}, engine_names()};
 }

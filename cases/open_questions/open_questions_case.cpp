@@ -55,6 +55,8 @@ Series states_series(const Ensembles& slides, const std::string& start) {
 
 }  // namespace
 
+std::unique_ptr<Case> make_case() { return std::make_unique<OpenQuestionsCase>(); }
+
 OpenQuestionsCase::OpenQuestionsCase()
     : SlideCase({"open_questions",
                  "What the paper left open: homogeneous shear, size, mu(I), natural frequencies",

@@ -14,6 +14,8 @@ double mean_of(const Ensemble& ensemble, const std::string& metric) {
 
 }  // namespace
 
+std::unique_ptr<Case> make_case() { return std::make_unique<SpeedCase>(); }
+
 SpeedCase::SpeedCase()
     : SlideCase({"speed_error", "Speed against error of every choice", FLOWSLIDE_VERSION, {"speed_error"}, {}}) {}
 

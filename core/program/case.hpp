@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -73,5 +74,8 @@ class Case {
   /// Called before claims are checked.
   virtual void finish(const OutputFolder&) const {}
 };
+
+/// The case of a program. Each folder under cases/ defines this function once.
+std::unique_ptr<Case> make_case();
 
 }  // namespace flowslide
