@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "configuration/canonical.hpp"
 #include "configuration/entry_reader.hpp"
@@ -13,18 +14,13 @@
 #include "configuration/value_check.hpp"
 
 namespace flowslide {
+
 Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
-  std::vector<std::string> scales;
-  lay_over(layers.case_file, layers.scale, scales);
-  if (!layers.scale.empty() && std::find(scales.begin(), scales.end(), layers.scale) == scales.end()) {
-    throw ConfigurationError(
-        fmt::format("{}: there is no scale \"{}\" (there is {}); add a table [scale.{}] or choose "
-                    "another --scale",
-                    origin_, layers.scale, list_of(scales), layers.scale));
-  }
-  published_ = entries_;
-  if (layers.user_file) lay_over(*layers.user_file, layers.scale, scales);
-  for (const Override& item : layers.overrides) overlay(entries_, read_option(item.key, item.value, item.option));
+  LaidEntries laid = lay(layers);
+  base_ = std::move(laid.base);
+  entries_ = std::move(laid.all);
+  published_ = std::move(laid.published);
+  unselected_ = std::move(laid.unselected);
   index_entries();
 }
 
@@ -46,33 +42,6 @@ Configuration Configuration::overlaid(std::string_view toml, const std::string& 
   overlay(configuration.entries_, read_entries(toml, origin));
   configuration.index_entries();
   return configuration;
-}
-
-void Configuration::lay_over(const std::filesystem::path& file, const std::string& scale,
-                             std::vector<std::string>& scales) {
-  std::vector<Entry> base = read_entries(file);
-  std::vector<Entry> all_scales = take_below(base, "scale");
-  overlay(entries_, base);
-  const bool first_file = scales.empty();
-  while (!all_scales.empty()) {
-    const Entry head = all_scales.front();
-    if (head.kind != Entry::Kind::table) {
-      throw ConfigurationError(fmt::format("{}: scale.{} is a value, but [scale] holds one table per scale only",
-                                           head.key_place.text(), head.key));
-    }
-    if (first_file) {
-      scales.push_back(head.key);
-    } else if (std::find(scales.begin(), scales.end(), head.key) == scales.end()) {
-      throw ConfigurationError(fmt::format("{}: there is no scale \"{}\" in {}; there is {}", head.key_place.text(),
-                                           head.key, origin_, list_of(scales)));
-    }
-    const std::vector<Entry> members = take_below(all_scales, head.key);
-    if (head.key == scale) {
-      overlay(entries_, members);
-    } else {
-      unselected_.insert(unselected_.end(), members.begin(), members.end());
-    }
-  }
 }
 
 const Entry* Configuration::find(std::string_view key) const {
@@ -100,7 +69,16 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
 
 bool Configuration::is_users_table(std::string_view table) const {
   const Entry* entry = find(table);
-  return entry != nullptr && entry->kind == Entry::Kind::table && entry->key_place.origin != origin_;
+  return entry != nullptr && entry->kind == Entry::Kind::table && !is_published_origin(*entry);
+}
+
+bool Configuration::is_of_base(std::string_view key) const {
+  const Entry* entry = find(key);
+  return entry != nullptr && !base_.empty() && entry->key_place.origin == base_;
+}
+
+bool Configuration::is_published_origin(const Entry& entry) const {
+  return entry.key_place.origin == origin_ || (!base_.empty() && entry.key_place.origin == base_);
 }
 
 bool Configuration::has(std::string_view key) const {
@@ -191,13 +169,14 @@ std::string Configuration::unknown_message(const Entry& entry) const {
 
 /// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.
 bool Configuration::is_in_vain(const Entry& entry) const {
-  return entry.key_place.origin != origin_ && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
+  return !is_published_origin(entry) && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
 }
 
 void Configuration::reject_unknown() const {
   std::vector<std::string> messages;
   std::vector<std::string> tables;  // what stands below an unknown table needs no word of its own
   const auto check = [&](const Entry& entry) {
+    if (!base_.empty() && entry.key_place.origin == base_) return;  // other cases read it
     const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
     if (std::any_of(tables.begin(), tables.end(), covers)) return;
     if (entry.kind == Entry::Kind::table) tables.push_back(entry.key);
@@ -240,8 +219,8 @@ std::vector<Change> Configuration::changes() const {
   return changes;
 }
 
-std::string Configuration::resolved() const {
-  std::map<std::string, std::string, KeyOrder> lines = resolved_;
+Configuration::Lines Configuration::resolved_lines() const {
+  Lines lines = resolved_;
   // A table that was asked for counts, even when nothing of it was read. Backwards: children before parents.
   for (auto key_at = known_.rbegin(); key_at != known_.rend(); ++key_at) {
     const std::string& key = *key_at;
@@ -249,10 +228,28 @@ std::string Configuration::resolved() const {
     if (entry == nullptr || entry->kind != Entry::Kind::table) continue;
     const bool shown =
         std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return stands_below(line.first, key); });
-    if (!shown) lines[key] = "{}";
+    if (!shown && !is_of_base(key)) lines[key] = "{}";
   }
+  return lines;
+}
+
+std::string Configuration::resolved() const {
   std::string text;
-  for (const auto& [key, value] : lines) text += fmt::format("{} = {}\n", key, value);
+  for (const auto& [key, value] : resolved_lines()) text += fmt::format("{} = {}\n", key, value);
+  return text;
+}
+
+std::string Configuration::resolved_with_origins() const {
+  std::string text;
+  for (const auto& [key, value] : resolved_lines()) {
+    const Place& place = find(key)->key_place;
+    const std::filesystem::path file = place.origin;
+    const std::string origin =
+        place.line == 0
+            ? place.origin
+            : fmt::format("{}:{}", (file.parent_path().filename() / file.filename()).string(), place.line);
+    text += fmt::format("{:<60} # {}\n", fmt::format("{} = {}", key, value), origin);
+  }
   return text;
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,47 +13,34 @@
 #include <vector>
 
 #include "configuration/entry.hpp"
+#include "configuration/layers.hpp"
 #include "configuration/quantity.hpp"
 #include "configuration/range.hpp"
 
 namespace flowslide {
 
-/// One value from the command line. The value is read as TOML and, if it is none, as text: `0.5`, `true`, `[1, 2]`,
-/// `"3 kPa"` and `3 kPa` all work.
-struct Override {
-  std::string key;     ///< "sample.confining_stress"
-  std::string value;   ///< as typed
-  std::string option;  ///< what to call it in a message: "--set sample.confining_stress=3 kPa", "--seed 7"
-};
-
 /// A value that --config, --set or another option has changed.
 struct Change {
   std::string key;
-  std::string value;   ///< as resolved() has it: "2000.0  # Pa"
+  std::string value;   ///< as resolved() has it: "28340.0 Pa"
   std::string before;  ///< as the case file has it, as written; empty where that has none
-};
-
-/// Where a configuration comes from; what stands later in this list wins.
-struct Layers {
-  std::filesystem::path case_file;                 ///< case.toml: its part outside [scale] ...
-  std::string scale;                               ///< ... then its table [scale.<scale>]; empty: none is asked for
-  std::optional<std::filesystem::path> user_file;  ///< --config: again base, then [scale.<scale>] if there is one
-  std::vector<Override> overrides;                 ///< --set, in order
 };
 
 /// A configuration. Each getter throws ConfigurationError when the key is missing, of the wrong type, of the wrong
 /// dimension or out of range; the message gives file, line, column, key, the value as written, what is allowed and how
-/// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml.
+/// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml and the base of that.
+/// Several cases share a base, so that a key of the base may be left unread.
 ///
 /// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the
 /// positions, from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too)
 /// as a whole.
-/// Keys are bare: letters, digits, "_" and "-". The table `scale` at the top is reserved.
+/// Keys are bare: letters, digits, "_" and "-". At the top, the table `scale` and the text `base` are reserved.
 /// Getters mark the key as known, also when they throw. Not for use by several threads at once.
 class Configuration {
  public:
   /// Reads all layers. Throws ConfigurationError when a file cannot be read, is not TOML (file, line and column), has
-  /// no such scale, or puts a table where another layer has a value or the other way round.
+  /// no such scale, has a base where it may not have one, or puts a table where another layer has a value or the other
+  /// way round.
   explicit Configuration(const Layers& layers);
   /// A single layer from a text; `origin` stands for the file in messages.
   static Configuration from_text(std::string_view toml, std::string origin = "text");
@@ -64,8 +50,10 @@ class Configuration {
 
   /// Whether the key, a value or a table, is there. Marks it as known.
   bool has(std::string_view key) const;
-  /// Whether a table is there that the case file does not have: --config or --set brought it.
+  /// Whether a table is there that neither the case file nor its base has: --config or --set brought it.
   bool is_users_table(std::string_view table) const;
+  /// Whether the case's base brought the table or value, as far as it is in no later layer.
+  bool is_of_base(std::string_view key) const;
 
   /// A number in SI units, from a text such as "3 kPa". A bare number is refused, but 0 and where the dimension has no
   /// unit.
@@ -110,20 +98,24 @@ class Configuration {
   /// readers took from elsewhere. Call it once all is read.
   void reject_unknown() const;
 
-  /// Whether the case file, at this scale, has the key.
+  /// Whether the case file or its base has the key at this scale.
   bool is_published(std::string_view key) const;
-  /// The values that were read and that the case file, at this scale, has not or has otherwise. A value in another unit
-  /// counts as another.
+  /// The values that were read and that the case file and its base, at this scale, lack or have otherwise. A value in
+  /// another unit counts as another.
   std::vector<Change> changes() const;
 
   /// All that was read, as canonical TOML: dotted keys, sorted, numbers in the shortest form that gives the same double
   /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives
   /// the same configuration.
   std::string resolved() const;
+  /// The lines of resolved(), each with the layer that its value came from as a comment: "# cases/paper.toml:12".
+  std::string resolved_with_origins() const;
 
  private:
   Configuration() = default;
-  void lay_over(const std::filesystem::path& file, const std::string& scale, std::vector<std::string>& scales);
+  using Lines = std::map<std::string, std::string, KeyOrder>;
+  bool is_published_origin(const Entry& entry) const;
+  Lines resolved_lines() const;
   void index_entries();
   const Entry* find(std::string_view key) const;
   const Entry& require(std::string_view key, std::string_view wanted) const;
@@ -135,16 +127,17 @@ class Configuration {
   std::string unknown_message(const Entry& entry) const;
   bool is_in_vain(const Entry& entry) const;
 
-  std::string origin_;                                   ///< the first file
+  std::string origin_;                                   ///< the case file
+  std::string base_;                                     ///< the file below the case file; empty when it has none
   std::vector<Entry> entries_;                           ///< in file order, parents before children
   std::map<std::string, std::size_t, std::less<>> positions_;  ///< of the keys in entries_
-  std::vector<Entry> published_;                         ///< those of the case file at this scale
+  std::vector<Entry> published_;                         ///< those of the case file and its base at this scale
   std::vector<Entry> unselected_;                        ///< of scales that were not chosen: checked for spelling only
   mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
   mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them
   mutable std::set<std::string, std::less<>> listed_;    ///< tables asked for by subtables()
   mutable std::map<std::string, std::string> overridden_;  ///< key -> a nearer one that stood in for it
-  mutable std::map<std::string, std::string, KeyOrder> resolved_;  ///< key -> canonical value with its unit
+  mutable Lines resolved_;                                 ///< key -> canonical value with its unit
 };
 
 template <typename Value>

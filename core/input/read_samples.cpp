@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "configuration/error.hpp"
 #include "input/read_fields.hpp"
 #include "sample/health.hpp"
@@ -85,10 +87,21 @@ Material read_material(const Configuration& configuration, const TableNames& tab
   return material;
 }
 
+std::vector<std::string> samples_in_use(const Configuration& configuration) {
+  std::set<std::string> named;
+  for (const std::string& point : configuration.subtables("point"))
+    if (const std::string key = "point." + point + ".sample"; configuration.has(key)) named.insert(configuration.text(key));
+  std::vector<std::string> samples = configuration.subtables("sample");
+  std::erase_if(samples, [&](const std::string& name) {
+    return configuration.is_of_base("sample." + name) && !named.contains(name);
+  });
+  return samples;
+}
+
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate) {
   std::vector<SampleSpecification> samples;
-  for (const std::string& name : configuration.subtables("sample")) {
+  for (const std::string& name : samples_in_use(configuration)) {
     const std::string table = "sample." + name + ".";
     const Tables own(configuration, "sample." + name);
     const TableNames preparation{table + "preparation", "preparation"};

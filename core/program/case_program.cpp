@@ -105,9 +105,10 @@ class CaseProgram {
     std::ostream nowhere(nullptr);
     std::ostream& out = first_rank() ? std::cout : nowhere;
     out << "# resolved configuration, hash " << hash_of(configuration_.resolved()) << "\n"
-        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n";
+        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n"
+        << "# behind each value stands the line or the option that gives it\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
-    out << configuration_.resolved();
+    out << configuration_.resolved_with_origins();
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
       out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,

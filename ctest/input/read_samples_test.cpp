@@ -244,6 +244,23 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
   EXPECT_EQ(before.size(), changes.size());
 }
 
+TEST(ReadSamples, LeaveOutThoseOfTheBaseThatNoPointNames) {
+  const ScratchFolder scratch;
+  scratch.write("paper.toml", text);
+  const auto samples_with = [&](const std::string& case_file) {
+    const Configuration c(Layers{scratch.write("shear/case.toml", "base = '../paper.toml'\n" + case_file), "", {}, {}});
+    std::vector<std::string> names;
+    for (const SampleSpecification& sample : samples_of(c)) names.push_back(sample.name);
+    EXPECT_EQ(samples_in_use(c), names);
+    return names;
+  };
+  EXPECT_EQ(samples_with("[point.a]\nsample = 'isotropic'\n"), std::vector<std::string>{"isotropic"});
+  EXPECT_TRUE(samples_with("").empty());
+  EXPECT_EQ(samples_with("[sample]\nown = { void_ratio = 0.8, tolerance = 0.1, most_trials = 1, preparation_friction = "
+                         "0.5, drag = '0 kg/s', isotropic = true }\n"),
+            std::vector<std::string>{"own"});
+}
+
 TEST(ReadSamples, BearTheStressesOfTheSlope) {
   const auto samples = samples_of(with());
   // Eqs 8 and 9 by hand, compared to the six digits that are written out: sigma_0 of the paper is 28.34 kPa.

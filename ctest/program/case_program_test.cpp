@@ -332,8 +332,8 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(outcome.output.starts_with("# resolved configuration, hash ")) << outcome.output;
   EXPECT_CONTAINS(outcome.output, "keys with a bare number take bare numbers\n");
-  EXPECT_CONTAINS(outcome.output, "count = 3\n");
-  EXPECT_CONTAINS(outcome.output, "size = \"0.01 m\"\n");
+  EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # case/case.toml:5\n", "count = 3"));
+  EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # --set size=1 cm\n", "size = \"0.01 m\""));
   EXPECT_CONTAINS(outcome.output, "\n# changed: size = \"0.01 m\", not \"2 mm\"\n");
   EXPECT_CONTAINS(outcome.output, "# point a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");
   EXPECT_CONTAINS_NOT(outcome.output, "point b");
