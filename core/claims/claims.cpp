@@ -113,21 +113,28 @@ std::string Claim::expectation() const {
   return fmt::format("{} {}{}", symbol_of(relation), threshold, suffix);
 }
 
-std::vector<Claim> load_claims(const std::filesystem::path& file) {
+bool ClaimsFile::is_figure_only(std::string_view run) const {
+  return std::any_of(figure_only.begin(), figure_only.end(), [&](const std::string& name) {
+    return run == name || (run.starts_with(name) && run.substr(name.size()).starts_with("_r"));
+  });
+}
+
+ClaimsFile load_claims(const std::filesystem::path& file) {
   return load_claims(Configuration(Layers{.case_file = file, .scale = {}, .user_file = {}, .overrides = {}}));
 }
 
-std::vector<Claim> load_claims(const Configuration& configuration) {
-  std::vector<Claim> claims;
+ClaimsFile load_claims(const Configuration& configuration) {
+  ClaimsFile file;
   std::set<std::string> ids;
   for (const std::string& position : configuration.subtables("claim")) {
     const std::string prefix = "claim." + position + ".";
-    claims.push_back(read_claim(configuration, prefix));
-    if (!ids.insert(claims.back().id).second)
+    file.claims.push_back(read_claim(configuration, prefix));
+    if (!ids.insert(file.claims.back().id).second)
       configuration.refuse(prefix + "id", "stands there twice", "give each claim an id of its own");
   }
+  if (configuration.has("figure_only")) file.figure_only = configuration.texts("figure_only");
   configuration.reject_unknown();
-  return claims;
+  return file;
 }
 
 std::vector<Claim> claims_at(const std::vector<Claim>& claims, std::string_view scale) {

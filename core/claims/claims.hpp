@@ -53,10 +53,21 @@ struct Verdict {
   std::string measurement() const;
 };
 
+/// What claims.toml says of a case.
+struct ClaimsFile {
+  std::vector<Claim> claims;
+  /// Slides or replicates that are there for a figure alone at quick scale: no claim needs them, and the tests of the
+  /// claims do not run them. The name of a slide stands for all its replicates.
+  std::vector<std::string> figure_only;
+
+  /// Whether a run, such as "RI_4kPa_r2", or its slide is in figure_only.
+  bool is_figure_only(std::string_view run) const;
+};
+
 /// Reads claims.toml. Throws ConfigurationError with place for whatever is wrong in it, unknown keys too.
-std::vector<Claim> load_claims(const std::filesystem::path& file);
+ClaimsFile load_claims(const std::filesystem::path& file);
 /// The same from a configuration that holds nothing else.
-std::vector<Claim> load_claims(const Configuration& configuration);
+ClaimsFile load_claims(const Configuration& configuration);
 
 /// Those that are made at a scale.
 std::vector<Claim> claims_at(const std::vector<Claim>& claims, std::string_view scale);

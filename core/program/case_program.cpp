@@ -84,6 +84,7 @@ class CaseProgram {
     if (!changed_.empty() && !options_.json)
       std::cerr << fmt::format("flowslide: settings that are not those of the case: {}; its claims are not evaluated\n",
                                fmt::join(changed_, "; "));
+    const ClaimsFile claims = load_claims(folder_ / "claims.toml");
     nlohmann::ordered_json all;
     all["points"] = nlohmann::ordered_json::array();
     std::string text = "# name\tseconds\tdescription\n";
@@ -94,8 +95,11 @@ class CaseProgram {
                                {"figures", point.figures},
                                {"predicted_seconds", std::round(10.0 * point.predicted_seconds) / 10.0},
                                {"sample", point.sample},
+                               {"figure_only", claims.is_figure_only(point.name)},
                                {"description", point.description}});
     }
+    all["claims"] = nlohmann::ordered_json::array();
+    for (const Claim& claim : claims_at(claims.claims, options_.scale)) all["claims"].push_back(claim.id);
     if (!changed_.empty()) all["changed"] = changed_;
     std::cout << (options_.json ? all.dump(1) + "\n" : text);
     return to_int(ExitCode::ok);
@@ -224,7 +228,7 @@ class CaseProgram {
     std::vector<Provenance> origins;
     origins.reserve(present.size());
     for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
-    std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml"), options_.scale);
+    std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml").claims, options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     std::vector<Verdict> verdicts = evaluate(claims, metrics);
     if (!changed_.empty())

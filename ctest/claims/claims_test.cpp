@@ -32,7 +32,9 @@ origin = "rounding"
 scales = ["paper"]
 )";
 
-std::vector<Claim> load(const std::string& text) { return load_claims(Configuration::from_text(text, "claims.toml")); }
+std::vector<Claim> load(const std::string& text) {
+  return load_claims(Configuration::from_text(text, "claims.toml")).claims;
+}
 
 std::string with(const std::string& from, const std::string& to) {
   std::string text = two_claims;
@@ -73,7 +75,13 @@ TEST(LoadClaims, ReadsEveryKey) {
 
 TEST(LoadClaims, ReadsAFile) {
   const ScratchFolder scratch;
-  EXPECT_EQ(load_claims(scratch.write("claims.toml", two_claims)).size(), 2U);
+  EXPECT_EQ(load_claims(scratch.write("claims.toml", two_claims)).claims.size(), 2U);
+}
+
+TEST(Claims, KnowTheRunsThatAreForAFigureAlone) {
+  const ClaimsFile file = load_claims(Configuration::from_text("figure_only = ['RI_4kPa', 'RD_r2']\n"));
+  for (const char* run : {"RI_4kPa", "RI_4kPa_r3", "RD_r2"}) EXPECT_TRUE(file.is_figure_only(run)) << run;
+  for (const char* run : {"RI_4kPa2", "RD", "RD_r3", "RI"}) EXPECT_FALSE(file.is_figure_only(run)) << run;
 }
 
 TEST(LoadClaims, SaysWhereAndWhatIsWrong) {

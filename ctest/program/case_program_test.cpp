@@ -27,7 +27,8 @@ count = 3
 count = 30
 )";
 
-constexpr const char* claims_text = R"([[claim]]
+constexpr const char* claims_text = R"(figure_only = ["b"]
+[[claim]]
 id = "small"
 figure = "Fig. 1"
 sentence = "It is small."
@@ -313,9 +314,10 @@ TEST_F(CaseProgramTest, ListsInJsonAndWritesNothing) {
   const Outcome outcome = run({"--list", "--json"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output), nlohmann::json::parse(R"({"points": [
-      {"name": "a", "figures": ["1"], "predicted_seconds": 61.2, "sample": "loose", "description": "the \"first\""},
-      {"name": "b", "figures": ["1", "12"], "predicted_seconds": 2.0, "sample": "loose", "description": "the second"}
-    ]})"));
+      {"name": "a", "figures": ["1"], "predicted_seconds": 61.2, "sample": "loose", "figure_only": false,
+       "description": "the \"first\""},
+      {"name": "b", "figures": ["1", "12"], "predicted_seconds": 2.0, "sample": "loose", "figure_only": true,
+       "description": "the second"}], "claims": ["small", "many"]})"));
   EXPECT_TRUE(nothing_written());
 }
 
