@@ -4,45 +4,49 @@
 
 namespace flowslide {
 
-/// C = 2k/(gamma_w (h_s cos theta)^2), 1/(Pa s), of eq. 5. The slope is validated.
+/// C = 2k/(gamma_w (h_s cos theta)^2), 1/(Pa s), from eq. 5. Throws as `validate`.
 double consolidation_coefficient(const SlopeProperties& slope);
 
 /// How eq. 5 is integrated.
 enum class ConsolidationScheme { euler, exponential };
 
-/// Volumetric strain by drainage of the liquefiable layer, d(epsilon)/dt = C p_w (eq. 5), p_w = sigma_d - sigma the
-/// excess pore pressure at the base. k = 0 integrates nothing.
+/// Volumetric strain of the liquefiable layer by drainage: d(epsilon)/dt = C p_w (eq. 5). The excess pore pressure at
+/// the base is p_w = sigma_d - sigma. With k = 0 every increment is 0.
 ///
-/// euler, as printed: d_epsilon = dt C p_w with the stress that was last told. First order, stable up to
-/// `consolidation_time_step_limit`.
+/// euler: eq. 5 as printed, d_epsilon = C p_w dt, with the last measured stress. It is of first order in dt and stable
+/// up to `consolidation_time_step_limit`.
 ///
-/// exponential: the exact solution while a sample of oedometric modulus M answers d(sigma) = M d(epsilon),
-///   d_epsilon = p_w/M [1 - exp(-C M dt)],  p_w = sigma_d - sigma - M epsilon_owed,
-/// epsilon_owed the strain that the sample has not been given yet. It is exact for a constant M, for any dt and however
-/// seldom the sample is asked. A sample of another modulus M_s is left with the share 1 - (M_s/M) [1 - exp(-C M dt)] of
-/// p_w after a step: never below zero when M is an upper bound of M_s, so that any k and any dt are stable; it then
-/// drains a little late, by the relative error C M dt/2 when that is small. So M is a bound of the stiffness of the
-/// whole run, not an estimate that follows the sample: estimates from d(sigma)/d(epsilon) take the contraction by shear
-/// for stiffness, and one that is too small is what makes a step unstable.
+/// exponential: the exact solution for a sample of constant oedometric modulus M, d(sigma) = M d(epsilon):
+///   d_epsilon = p_w/M [1 - exp(-C M dt)],  p_w = sigma_d - sigma - M epsilon_owed.
+/// epsilon_owed is the strain that has not been passed to the sample yet. The solution is exact for any dt and for any
+/// number of steps between two runs of the sample.
+///
+/// With a sample of another modulus M_s, a step leaves the fraction 1 - (M_s/M) [1 - exp(-C M dt)] of p_w. If M is an
+/// upper bound of M_s, this fraction is never negative, and the scheme is stable for any k and dt. The sample then
+/// drains slightly late: the relative error is C M dt/2 if this number is small.
+/// M must therefore bound the stiffness during the whole run. Estimates from d(sigma)/d(epsilon) take contraction by
+/// shear for stiffness, and an estimate that is too small makes a step unstable.
 class Consolidation {
  public:
-  /// `time_step` (s) and, for the exponential, `modulus` (Pa) are > 0; the slope is validated. Throws
-  /// std::invalid_argument.
+  /// `time_step` is dt_G (s, > 0). `modulus` is M (Pa, > 0); only `exponential` uses it. Throws std::invalid_argument
+  /// if one of them or the slope is invalid.
   Consolidation(const SlopeProperties& slope, ConsolidationScheme scheme, double time_step, double modulus);
 
-  /// d_epsilon of one step, positive when the layer becomes thinner. `excess` is sigma_d - sigma, Pa.
+  /// d_epsilon of one step, positive when the layer becomes thinner. `excess` is sigma_d - sigma (Pa), `owed_strain` is
+  /// epsilon_owed.
   double increment(double excess, double owed_strain) const;
 
  private:
-  double strain_per_excess_;  ///< d_epsilon over p_w, 1/Pa; 0 without drainage
-  double predicted_modulus_;  ///< M, or 0 for euler, Pa
+  double strain_per_excess_;  ///< d_epsilon/p_w, 1/Pa; 0 without drainage
+  double predicted_modulus_;  ///< M, Pa; 0 for euler
 };
 
-/// dt_G = 2/(M C), s, beyond which forward Euler for eq. 5 grows on a sample of modulus M (Pa); infinite for k = 0.
+/// Largest stable time step of `euler` on a sample of oedometric modulus M (Pa, > 0): dt_G = 2/(M C), s. Infinite for
+/// k = 0. Throws std::invalid_argument.
 double consolidation_time_step_limit(const SlopeProperties& slope, double oedometric_modulus);
 
-/// p_w(z') = p_b [2 zeta - zeta^2], zeta = z'/(h_s cos theta) from 0 at the top of the layer to 1 at its base (eq. 6).
-/// `basal` is p_b, any unit.
+/// Excess pore pressure within the layer: p_w(z') = p_b [2 zeta - zeta^2] (eq. 6), with zeta = z'/(h_s cos theta) from
+/// 0 at the top of the layer to 1 at its base. `basal` is p_b; the result has its unit.
 double excess_pore_pressure(double basal, double zeta);
 
 }  // namespace flowslide

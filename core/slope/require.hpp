@@ -8,14 +8,15 @@
 
 namespace flowslide {
 
-/// Throws std::invalid_argument unless `allowed`: what of the slope is wrong, its value, what is allowed, the mend.
+/// Throws std::invalid_argument unless `allowed`. The message names the property of the slope, its value, the allowed
+/// range and the remedy.
 inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
                              const std::string& mend) {
   if (allowed) return;
   throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, mend));
 }
 
-/// The same for what must be finite and above zero.
+/// The same for a value that must be finite and > 0.
 inline void require_positive(const std::string& name, double value, const std::string& unit, const std::string& mend) {
   require_of_slope(std::isfinite(value) && value > 0.0, name, value, "finite and > 0 " + unit, mend);
 }
