@@ -3,18 +3,18 @@
 
 namespace flowslide {
 
-/// Leaves out shear that changes next to nothing: a liquefied sample bears no stress whatever it is strained by, until
-/// its grains meet again. Once sigma has stayed at or below `normal_stress` over `probed_strain`, the sample rests over
-/// the next `rested_strain`, which it is never given; then it is probed again. It is an approximation: strength comes
-/// back later than it would. For quasi-static shear (RI) alone, since at the rate of the slope a liquefied sample does
-/// resist. Not in the paper.
+/// Leaves out strain of a liquefied sample: it bears almost no stress at any strain until its grains touch again. When
+/// sigma has stayed at or below `normal_stress` over the strain `probed_strain`, the sample rests: the next
+/// `rested_strain` is never passed to it. Then it is probed again. This is an approximation: strength returns later
+/// than in a sample without rest. Use it for quasi-static shear (RI) only: at the strain rate of the slope a liquefied
+/// sample does resist. Not in the paper.
 struct LiquefiedRest {
-  double normal_stress = 30.0;   ///< Pa, > 0: sigma of a sample taken for liquefied
+  double normal_stress = 30.0;   ///< Pa, > 0: a sample with sigma up to this value counts as liquefied
   double probed_strain = 0.01;   ///< > 0
   double rested_strain = 0.1;    ///< > 0
 };
 
-/// Where a sample is between a probe and the next, in strain.
+/// Strain (its norm) passed in the present probe, and left out in the present rest.
 struct RestState {
   double probed = 0.0;
   double rested = 0.0;
@@ -23,8 +23,8 @@ struct RestState {
 /// Throws std::invalid_argument if a value is out of its range.
 void validate(const LiquefiedRest& rest);
 
-/// Whether an increment of `strain` (its norm) is left out, where the sample last bore `normal_stress` (Pa); takes the
-/// state on by it.
+/// Returns whether a strain increment is left out, and updates `state`. `strain` is the norm of the increment;
+/// `normal_stress` is the last sigma of the sample, Pa.
 bool rests(const LiquefiedRest& rest, RestState& state, double strain, double normal_stress);
 
 }  // namespace flowslide

@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-/// What no slope has, and what the sums of a record still bear: more counts as not finite.
+/// Larger values count as not finite. No slope reaches this value, and sums of smaller values in a record stay finite.
 constexpr double unsound = 1e100;
 
 }  // namespace
@@ -56,7 +56,8 @@ void Slide::step() {
                          consolidation_.increment(basal_pore_pressure(), state_.owed.compression)};
   state_.strain += increment;
   state_.global_rate = increment.norm() / settings_.time_step;
-  // sigma stands for p: what glued layers wedge between them keeps the mean stress of the cell up when sigma is gone.
+  // sigma stands for p: grains wedged between the glued layers keep the mean stress of the cell up after sigma
+  // vanishes.
   state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal, state_.strain.shear);
   const bool resting =
       settings_.rest && rests(*settings_.rest, state_.rest, increment.norm(), sample_.stress().normal);

@@ -17,7 +17,7 @@ void validate(const StopConditions& conditions) {
 }
 
 Stop stop_of(const SlideState& state, const StopConditions& conditions, double time_step) {
-  // Half a step: the clock is a product, the end time a number that someone wrote.
+  // The tolerance of half a step absorbs the rounding of the time, which is a number of steps times dt_G.
   if (state.time > conditions.end_time - 0.5 * time_step) return Stop::end_time;
   if (state.strain.shear >= conditions.end_shear_strain) return Stop::end_shear_strain;
   if (state.largest_velocity > conditions.sliding_velocity && state.velocity <= 0.0) return Stop::sliding_stopped;

@@ -6,11 +6,12 @@
 
 namespace flowslide {
 
-/// When a slide has been followed far enough.
+/// Conditions that end a slide; one of them suffices.
 struct StopConditions {
   double end_time = 10.0;  ///< s
-  double end_shear_strain = std::numeric_limits<double>::infinity();  ///< of the layer
-  /// Sliding has stopped when v falls to 0 after it has exceeded this, m/s: swings on the elastic sample do not count.
+  double end_shear_strain = std::numeric_limits<double>::infinity();  ///< gamma of the layer
+  /// The slide has stopped when v falls to 0 after it has exceeded this value, m/s. The threshold excludes oscillations
+  /// on the elastic sample.
   double sliding_velocity = std::numeric_limits<double>::infinity();
 };
 
@@ -19,7 +20,7 @@ enum class Stop { not_yet, end_time, end_shear_strain, sliding_stopped };
 /// Throws std::invalid_argument unless all are > 0 and the end time is finite.
 void validate(const StopConditions& conditions);
 
-/// Which condition is met in a state with steps of `time_step` (s).
+/// The condition that `state` meets. `time_step` is dt_G, s.
 Stop stop_of(const SlideState& state, const StopConditions& conditions, double time_step);
 
 }  // namespace flowslide

@@ -9,17 +9,17 @@
 namespace flowslide {
 namespace {
 
-/// Share of a step by which q may fall short of a whole number and still count as it: q is a quotient of rounded
-/// numbers, and whether a step runs now or an exchange later shall not depend on their last bits.
+/// Fraction of a step by which q may be below a whole number and still count as this number. q is a quotient of rounded
+/// numbers: their last bits must not decide whether a step runs now or one exchange later.
 constexpr double rounding_of_steps = 1e-9;
 
-/// floor(steps) + surplus, at most `most`; also for the infinite number of steps that a rate of 0 asks for.
+/// floor(steps) + surplus, at most `most`. `steps` is infinite at a rate of 0.
 std::int64_t whole_steps(double steps, std::int64_t surplus, std::int64_t most) {
   if (!(steps < static_cast<double>(most))) return most;
   return std::min(static_cast<std::int64_t>(std::floor(steps)) + surplus, most);
 }
 
-/// All of `owed` in `steps` steps of `time_step`.
+/// Passes all of `owed` in `steps` steps of `time_step` (s).
 LocalRun pass_all(Strain& owed, std::int64_t steps, double time_step) {
   const double duration = static_cast<double>(steps) * time_step;
   const LocalRun run{{owed.shear / duration, owed.compression / duration}, steps, time_step};

@@ -4,27 +4,27 @@
 
 namespace flowslide {
 
-/// tau and sigma as the slope is told them, Pa.
+/// Resisting stresses at the base of the slope, Pa.
 struct BasalStress {
   double shear = 0.0;   ///< tau, positive downslope
   double normal = 0.0;  ///< sigma, effective, compression positive
 };
 
-/// What becomes of the residual of a prepared sample: the difference between the stresses in equilibrium with the slope
-/// (eqs 8 and 9) and those that the servo reached.
+/// How the slope treats the residual of a prepared sample: the difference between the stresses in equilibrium with the
+/// slope (eqs 8 and 9) and the stresses that the servo reached.
 enum class ResidualTreatment {
-  left_out,  ///< absolute stress: the slope starts out of balance by the residual
-  fades,            ///< added in proportion to the normal stress left: balance at the start, 0 where it liquefies
-  stays             ///< stress increments as in step 8 of Algorithm 1: balance at the start, but the residual stays for
-                    ///< ever, so that a liquefied sample shows it as strength
+  left_out,  ///< absolute stress of the sample: the slope starts out of balance by the residual
+  fades,     ///< the residual is added in proportion to sigma: balance at the start, no residual at liquefaction
+  stays      ///< stress increments as in step 8 of Algorithm 1: balance at the start, but the residual remains and
+             ///< appears as strength of a liquefied sample
 };
 
-/// Turns the stress of the sample into that of the slope.
+/// Converts the stress of the sample into the stress at the base of the slope.
 class StressReading {
  public:
-  /// `balance` is in equilibrium with the slope, `prepared` the stress of the sample before it is strained. Unless the
-  /// residual stays, where any sample will do, throws NumericalFailure if it exceeds `largest_residual` of the normal
-  /// stress, or the normal stress is not positive.
+  /// `balance` is the stress in equilibrium with the slope. `prepared` is the stress of the sample before it is
+  /// strained. Throws NumericalFailure if the residual exceeds the fraction `largest_residual` of the normal stress of
+  /// `balance`, or if the normal stress of `prepared` is not positive. `stays` accepts any sample.
   StressReading(ResidualTreatment treatment, const BasalStress& balance, const CellStress& prepared);
 
   BasalStress read(const CellStress& sample) const;
@@ -36,7 +36,7 @@ class StressReading {
   double prepared_normal_;
 };
 
-/// A servo ends within some percent; a sample that is further off was prepared for another slope.
+/// A servo ends within some percent of its target. A sample with a larger residual was prepared for another slope.
 inline constexpr double largest_residual = 0.05;
 
 }  // namespace flowslide
