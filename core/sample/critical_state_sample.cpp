@@ -12,7 +12,8 @@
 namespace flowslide {
 namespace {
 
-/// Of one answer: more would be a strain of 1000 % and more in one exchange, and take for ever.
+/// Largest number of substeps in one call of `strain`. At the default substep this is a strain of 1000 % in one
+/// exchange.
 constexpr double most_substeps = 1e7;
 
 void require_above_zero(const char* name, double value) {
@@ -91,7 +92,7 @@ void CriticalStateSample::restore(const SampleState& state) {
 }
 
 void CriticalStateSample::substep(double shear, double compression) {
-  // Written for tau >= 0 and stresses over sigma; turned round when the sample bears shear upslope.
+  // The equations are coded for tau >= 0 and divided by sigma; `sign` mirrors them for shear upslope.
   const bool upslope = stress_ratio_ < 0.0 || (stress_ratio_ == 0.0 && shear < 0.0);
   const double sign = upslope ? -1.0 : 1.0;
   const double ratio = sign * stress_ratio_, stiffness = properties_.shear_stiffness;

@@ -4,38 +4,40 @@
 
 namespace flowslide {
 
-/// What determines a sample with critical-state friction. Symbols as in the source (see CriticalStateSample).
+/// Properties of a sample with critical-state friction. Symbols as in the source (see CriticalStateSample).
 struct CriticalStateProperties {
-  double critical_friction = 0.4;        ///< M, tau/sigma of steady shearing, > 0
-  double critical_void_ratio = 0.77;     ///< e_Gamma, of steady shearing at the reference stress
-  double critical_slope = 0.01;          ///< lambda, of the critical void ratio over the logarithm of sigma, > 0
+  double critical_friction = 0.4;        ///< M, tau/sigma in steady shearing, > 0
+  double critical_void_ratio = 0.77;     ///< e_Gamma, e in steady shearing at the reference stress, > 0
+  double critical_slope = 0.01;          ///< lambda, slope of e_c over ln(sigma), > 0
   double reference_stress = 28.34e3;     ///< sigma_r, Pa, > 0
   double shear_stiffness = 500.0;        ///< G/sigma, > 0
   double oedometric_stiffness = 1400.0;  ///< M_o/sigma, > 0
   double hardening = 0.5;                ///< h, > 0
-  double peak_exponent = 1.1;            ///< n, >= 0: how much more friction a denser sample has
+  double peak_exponent = 1.1;            ///< n, >= 0; a larger n gives dense samples more friction
   double dilatancy = 0.3;                ///< d_0, >= 0
-  double dilatancy_exponent = 3.5;       ///< m, >= 0: how much more strain a looser sample contracts by
+  double dilatancy_exponent = 3.5;       ///< m, >= 0; a larger m makes loose samples contract more
 
-  double shear_stress = 2.65e3;          ///< tau before strain, Pa; less than the friction bears
+  double shear_stress = 2.65e3;          ///< tau before strain, Pa; |tau|/sigma < M exp(-n psi)
   double normal_stress = 28.34e3;        ///< sigma before strain, Pa, > 0
   double void_ratio = 0.79;              ///< e before strain, > 0
   double largest_substep = 1e-6;         ///< strain of one explicit step of the integration, > 0
 };
 
-/// Sand in simple shear with friction and dilatancy that depend on the distance to the critical state: the model of
+/// Sand in simple shear whose friction and dilatancy depend on the distance to the critical state. The model is that of
 /// X. S. Li and Y. F. Dafalias, Dilatancy for cohesionless soils, Geotechnique 50 (2000) 449-460, with sigma, tau and
-/// gamma in place of p, q and the deviatoric strain. With eta = tau/sigma and the state parameter (Been and Jefferies)
-///   psi = e - e_c,   e_c = e_Gamma - lambda ln(sigma/sigma_r)
-/// it shears plastically while d(gamma) goes on in the direction of tau, and else elastically:
+/// gamma in place of p, q and the deviatoric strain. eta = tau/sigma, and psi is the state parameter (Been and
+/// Jefferies):
+///   psi = e - e_c,   e_c = e_Gamma - lambda ln(sigma/sigma_r).
+/// The sample shears plastically while N > 0 (see below), which is loading in the direction of tau. Otherwise it is
+/// elastic:
 ///   d(tau) = G (d_gamma - d_gamma_p),   d(sigma) = M_o (d_epsilon - d_epsilon_p),
 ///   sigma d(eta) = K d_gamma_p,         K = h G (M exp(-n psi)/eta - 1),
-///   d_epsilon_p = d d_gamma_p,          d = d_0 (exp(m psi) - eta/M), positive when it contracts.
-/// Deviations from the source: moduli proportional to sigma, as in Cam clay, so that a liquefied sample nears sigma = 0
-/// without ever passing it, and the straight e_c over ln(sigma). The sample knows no rate and no time. As coded:
+///   d_epsilon_p = d d_gamma_p,          d = d_0 (exp(m psi) - eta/M), positive when the sample contracts.
+/// Deviations from the source: the moduli are proportional to sigma, as in Cam clay, so that a liquefied sample
+/// approaches sigma = 0 and never passes it; and e_c is linear in ln(sigma). The sample is rate-independent. As coded:
 ///   N = G d_gamma - eta M_o d_epsilon,  B = h G (M exp(-n psi) - eta),  D = B + eta (G - eta M_o d),
-///   d_gamma_p = eta N/D, d(eta) = B N/(sigma D),
-/// which holds at eta = 0 as well. Range: psi within some 0.1 of the critical state, D > 0.
+///   d_gamma_p = eta N/D, d(eta) = B N/(sigma D).
+/// The coded form holds at eta = 0 as well. Range of validity: |psi| up to about 0.1, D > 0.
 class CriticalStateSample : public Sample {
  public:
   /// Throws std::invalid_argument if a value is out of its range.
@@ -50,7 +52,7 @@ class CriticalStateSample : public Sample {
   SampleState state() const override;
   void restore(const SampleState& state) override;
 
-  /// psi now: positive when looser than the critical state.
+  /// Present psi: positive when the sample is looser than at the critical state.
   double state_parameter() const;
 
  private:

@@ -20,7 +20,8 @@ constexpr std::array stress_parts{std::pair{"normal_stress", &CellStress::normal
                                   std::pair{"lateral_stress_x", &CellStress::lateral_x},
                                   std::pair{"lateral_stress_y", &CellStress::lateral_y}};
 
-/// By how much the stress of one prepared sample may differ between numbers of ranks, which sum in another order.
+/// Tolerance for the stress of a prepared sample, relative to its normal stress: another number of ranks sums in
+/// another order.
 constexpr double rounding_of_sums = 1e-9;
 
 void add(std::map<std::string, double>& numbers, const std::string& prefix, const CellStress& stress) {
@@ -138,10 +139,10 @@ void DemSample::restore(const SampleState& state) {
   shear_strain_ = state.number("shear_strain");
   time_ = state.number("time");
   steps_ = state.count("steps");
-  constexpr double a_century = 3.2e9;  // s: what no run has taken
+  constexpr double a_century = 3.2e9;  // s; no run takes longer
   clock_ticks_ =
       static_cast<std::clock_t>(std::clamp(state.number("processor_seconds"), 0.0, a_century) * CLOCKS_PER_SEC);
-  stress_ = stress_in(state, "");  // an engine that has not made a step yet may round it differently
+  stress_ = stress_in(state, "");  // before its first step an engine may round the stress differently
 }
 
 Assembly DemSample::assembly() const {

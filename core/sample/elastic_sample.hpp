@@ -4,11 +4,11 @@
 
 namespace flowslide {
 
-/// What determines a linear sample. The moduli are of the size of those of a dense packing at 28 kPa.
+/// Properties of a linear sample. The default moduli are of the order of those of a dense packing at 28 kPa.
 struct ElasticProperties {
   double shear_modulus = 15e6;       ///< G, Pa, > 0
   double oedometric_modulus = 40e6;  ///< M, Pa, > 0
-  double viscosity = 0.0;            ///< of shear, Pa s, >= 0; makes the answer depend on the rate
+  double viscosity = 0.0;            ///< eta, shear viscosity, Pa s, >= 0
   double shear_stress = 2.65e3;      ///< tau at zero strain, Pa
   double normal_stress = 28.34e3;    ///< sigma at zero strain, Pa
   double void_ratio = 0.77;          ///< e at zero strain, > 0
@@ -16,7 +16,7 @@ struct ElasticProperties {
 
 /// A linear sample for tests with an exact solution (Kelvin's solid in shear, Hooke's in compression):
 ///   tau = tau_0 + G gamma + eta d(gamma)/dt_L,   sigma = sigma_0 + M epsilon.
-/// The rate is that of the local clock, so that a rule that passes strain at a wrong rate shows in tau.
+/// The rate refers to the local clock. If a rule passes strain at a wrong rate, tau shows it.
 class ElasticSample : public Sample {
  public:
   /// Throws std::invalid_argument if a value is out of its range.

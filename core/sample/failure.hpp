@@ -4,8 +4,8 @@
 
 namespace flowslide {
 
-/// A simulation went wrong in a way that would make its results meaningless: a lost grain, a NaN, an overlap beyond
-/// reason, a sample that does not hold its stress. The message says what was found, the limit, and how to mend it.
+/// A failure that makes the results of a simulation meaningless: a lost grain, a NaN, an excessive overlap, a sample
+/// that does not hold its stress. The message gives the finding, the limit and the remedy.
 struct NumericalFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

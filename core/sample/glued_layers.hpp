@@ -4,9 +4,9 @@
 
 namespace flowslide {
 
-/// Glues one layer of grains to the bottom and one to the top plane (paper, sec. 2.2.1): every mobile grain whose gap
-/// to a z plane is below `reach` (m). Glued grains stop moving and lose their histories with each other. Throws
-/// NumericalFailure if a layer stays empty or a grain would belong to both.
+/// Glues one layer of grains to the bottom plane and one to the top plane (paper, sec. 2.2.1). A layer consists of the
+/// grains whose gap to its plane is below `reach` (m). Glued grains are set at rest. Contact histories between two
+/// grains of one layer are removed. Throws NumericalFailure if a layer is empty or if a grain would belong to both.
 void glue_layers(Assembly& assembly, double reach);
 
 }  // namespace flowslide

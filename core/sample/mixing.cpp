@@ -14,17 +14,17 @@
 namespace flowslide {
 namespace {
 
-/// Speed of two of the fastest grains towards each other, in mixing velocities.
+/// Approach velocity of the fastest grains, in mixing velocities: three standard deviations for each of the two.
 constexpr double fastest_approach = 6.0;
-/// Standard deviations by which the order of a mixed packing may exceed that of a random one.
+/// Number of standard deviations by which the order of a mixed packing may exceed the mean of random packings.
 constexpr double allowed_deviations = 2.0;
 
-/// Order over what a random packing has.
+/// Order divided by its limit.
 double excess(const MiddleOrder& order) {
   return order.value / order_of_random_positions(order.grains, allowed_deviations);
 }
 
-/// Two of the smallest grains at the largest overlap of a head-on impact.
+/// Two equal grains of `radius` (m) at the largest overlap (m) of a head-on impact.
 Assembly impact(double radius, double overlap) {
   Assembly pair;
   pair.resize(2);

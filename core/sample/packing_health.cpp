@@ -15,7 +15,7 @@ namespace flowslide {
 namespace {
 
 constexpr double allowed_deviations = 4.0;  ///< standard deviations
-constexpr int fewest_slices = 3;            ///< of which a spread can be told
+constexpr int fewest_slices = 3;            ///< needed for a spread and a seam
 constexpr int first_wave_number = 8, last_wave_number = 30;
 
 double mean(const std::vector<double>& values) {
@@ -53,7 +53,7 @@ AxisHealth axis_health(const Assembly& sample, const SampleRecipe& recipe, int a
   return health;
 }
 
-/// A figure of a sample, and what a random packing has at most.
+/// A measured value of a sample, and its limit for a random packing.
 struct Check {
   std::string what;
   double value, allowed;

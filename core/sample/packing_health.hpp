@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether a prepared sample is even and random, in numbers.
+// Measures of whether a prepared sample is uniform and random.
 #pragma once
 #include <array>
 #include <string>
@@ -11,32 +11,33 @@
 
 namespace flowslide {
 
-/// How even a sample is across one axis. Void ratios are of slices of one mean diameter; if the axis had walls, their
-/// layers are left out (see without_wall_layers).
+/// Uniformity of a sample along one axis. Void ratios are those of slices normal to the axis, about one mean diameter
+/// thick. Unless the recipe has `periodic_height`, the axis had walls, and their layers are left out (see
+/// without_wall_layers).
 struct AxisHealth {
-  int slices = 0;                  ///< that are looked at
+  int slices = 0;                  ///< number of slices used
   double spread = 0.0;             ///< standard deviation of their void ratios
-  double largest_deviation = 0.0;  ///< of one from their mean, without sign
-  double seam = 0.0;               ///< mean of the middle third less the mean of the others: positive, it is loose
-  double counting = 0.0;           ///< standard deviation of the void ratio of a slice of a random packing
-  double lattice_order = 0.0;      ///< at the wave number of the lattice, over the whole cell (see positional_order)
-  MiddleOrder middle_order;        ///< the same over the middle of the cell, away from layers at walls
-  double largest_order = 0.0;      ///< the largest with 8 to 30 waves in the cell; layers at walls show
+  double largest_deviation = 0.0;  ///< largest |e - mean| of a slice
+  double seam = 0.0;               ///< mean e of the middle third minus that of the others; positive: a loose middle
+  double counting = 0.0;           ///< expected standard deviation for a random packing (see counting_deviation)
+  double lattice_order = 0.0;      ///< order at the wave number of the lattice in the whole cell (see positional_order)
+  MiddleOrder middle_order;        ///< the same in the middle of the cell, away from layers at walls
+  double largest_order = 0.0;      ///< largest order for 8 to 30 waves in the cell, layers at walls included
 };
 
 struct PackingHealth {
   std::array<AxisHealth, 3> axes;  ///< x, y, z
   ContactNetwork network;
-  /// Stress of the lower and the upper half, without a mean diameter at glued layers.
+  /// Stress of the lower and the upper half. One mean diameter next to each glued layer is left out.
   SlopeStress lower_half, upper_half;
 };
 
-/// Health of the sample that a recipe has prepared.
+/// Measures `sample`, which `recipe` has prepared.
 PackingHealth packing_health(const Assembly& sample, const SampleRecipe& recipe);
 
-/// What is not as in a random packing of that size, with value, limit and how to mend it; empty if all is. Spread,
-/// deviation, seam and order may exceed the expectation by 4 standard deviations, so that fewer than 1 in 100 random
-/// packings are refused. Of several, what exceeds its limit most.
+/// Describes the measure that exceeds its limit most, with value, limit and remedy. Empty if all measures are as in a
+/// random packing of the same size. Limits: spread, deviation, seam and order may exceed their expectation by 4
+/// standard deviations, which refuses fewer than 1 in 100 random packings.
 std::string unevenness(const PackingHealth& health);
 
 }  // namespace flowslide

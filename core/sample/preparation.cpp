@@ -19,11 +19,12 @@
 namespace flowslide {
 namespace {
 
-/// Gap up to which a grain belongs to the layer at a plane, as a share of the mean diameter.
+/// Largest gap between a glued grain and its plane, as a fraction of the mean diameter.
 constexpr double layer_reach = 0.25;
-/// Of the stresses at the ends of stages 2 and 3, which only lead on.
+/// Tolerance of the stresses at the end of stages 2 and 3, as a fraction of the normal stress. These stages only lead
+/// to stage 4.
 constexpr double intermediate_tolerance = 1e-2;
-/// Steps between two looks at the whole assembly.
+/// Steps for which the stresses must be within their tolerance before the grains are inspected.
 constexpr std::int64_t inspection_interval = 1500;
 constexpr const char* mend_of_servo = "lower the servo rates, or the tolerance, or try another seed";
 
@@ -57,7 +58,7 @@ class Preparation {
  private:
   double present_void_ratio() const { return engine_.cell().volume() / solid_volume_ - 1.0; }
 
-  /// Those of the stage.
+  /// Settings of the present stage.
   EngineSettings settings() const {
     const bool drags = stage_ >= 1 && stage_ <= 4 && recipe_.drag_stages[stage_ - 1];
     EngineSettings settings{recipe_.material, recipe_.time_step, drags ? recipe_.drag : 0.0, recipe_.drag_reference};
@@ -119,7 +120,7 @@ class Preparation {
     if (observe_) observe_({stage_, steps_, present_void_ratio(), stress_, [this] { return state(); }});
   }
 
-  /// Lets the grains fly about until their lattice is forgotten.
+  /// Lets the grains fly about until the order of their lattice has vanished.
   void mix() {
     while (true) {
       advance(recipe_.servo_interval);
@@ -141,7 +142,7 @@ class Preparation {
   void compact() {
     const double rate = recipe_.compaction_rate;
     while (present_void_ratio() > recipe_.loose_void_ratio) {
-      // The velocity of the walls is constant: that of the first moment.
+      // The velocities of the walls stay constant until the next `move`.
       const Cell cell = engine_.cell();
       BoundaryMotion motion;
       motion.compression_rate_x = motion.compression_rate_y = rate;
@@ -161,7 +162,7 @@ class Preparation {
       engine_.move(servo_motion(target, engine_.cell(), stress_));
       advance(recipe_.servo_interval);
       within_ = servo_deviation(target, stress_) < tolerance ? within_ + recipe_.servo_interval : 0;
-      if (steps_ >= next_inspection_) {  // a step that is too long keeps the servo from its target for ever
+      if (steps_ >= next_inspection_) {  // with a time step that is too long the servo never reaches its target
         check_contact_time_step(engine_.save(), recipe_.material, recipe_.time_step);
         next_inspection_ = steps_ + 2 * time_step_interval;
       }
@@ -179,7 +180,7 @@ class Preparation {
     }
   }
 
-  /// Stands still without drag and tells whether the sample holds its stress.
+  /// Stands still without drag and checks that the sample holds its stress.
   PreparedSample rest() {
     const ServoTarget target{recipe_.normal_stress, recipe_.shear_stress, 0.0};
     while (steps_ < stage_start_ + 2 * inspection_interval) {
@@ -217,7 +218,7 @@ class Preparation {
   const PreparationObserver& observe_;
   std::uint64_t grains_ = 0;
   double solid_volume_ = 0.0;
-  int stage_ = 1;  // these as in PreparationState
+  int stage_ = 1;  // from here on as in PreparationState
   std::int64_t steps_ = 0, stage_start_ = 0, within_ = 0, next_inspection_ = 0;
   CellStress stress_;
 };

@@ -10,33 +10,33 @@
 
 namespace flowslide {
 
-/// Everything that determines a prepared sample. Stages 1 to 4 are those of the paper, sec. 2.2.1.
+/// Everything that determines a prepared sample besides engine and procedure. Stages as in prepare_sample.
 struct SampleRecipe {
   LatticePacking packing;
   Material material;                      ///< of the finished sample (Table 1)
   double normal_stress = 28.34e3;         ///< sigma_0, target of the three normal stresses, Pa
   double shear_stress = 2.650e3;          ///< tau_0, target of sigma_zx, Pa; 0 prepares an isotropic sample
-  double preparation_friction = 0.3;      ///< mu_1 of stages 1 to 3; decides the density
-  double preparation_restitution = 0.8;   ///< of stages 1 to 3; below the material's, packings come to rest looser
-  bool periodic_height = false;           ///< all three axes are periodic from stage 1 on and no layer is glued: for
+  double preparation_friction = 0.3;      ///< mu_1 of stages 0 to 3; controls the density
+  double preparation_restitution = 0.8;   ///< of stages 1 to 3; a value below the material's gives looser packings
+  bool periodic_height = false;           ///< all three axes are periodic from the start and no layer is glued, for
                                           ///< homogeneous shear across the faces
-  double drag = 0.03;  ///< c of the force -c (v - u) on each grain, kg/s; off before the sample is used
-  DragReference drag_reference = DragReference::rest;       ///< what u is
+  double drag = 0.03;  ///< c of the force -c (v - u) on each grain, kg/s; 0 in the finished sample
+  DragReference drag_reference = DragReference::rest;       ///< the velocity u
   std::array<bool, 4> drag_stages{true, true, true, true};  ///< whether drag acts in stages 1, 2, 3 and 4
-  double mixing_velocity = 0.0;           ///< stage 0: the packing flies about until its lattice is forgotten. Standard
-                                          ///< deviation of each component, m/s; 0: there is no such stage
+  double mixing_velocity = 0.0;           ///< standard deviation of each velocity component at the start of stage 0,
+                                          ///< m/s; 0: no stage 0
   double time_step = 1e-5;                ///< dt_L of the preparation, s
 
-  double loose_void_ratio = 1.2;          ///< end of stage 1
-  double compaction_rate = 1.0;           ///< stage 1, of each axis, 1/s
-  std::array<double, 3> servo_rates{0.2, 0.1, 0.05};  ///< largest rates in stages 2, 3 and 4, 1/s
-  int servo_interval = 30;                ///< steps between two looks of the servo
-  double stress_tolerance = 1e-3;         ///< of sigma_0, for each stress at the end of a stage
-  double kinetic_tolerance = 1e-8;        ///< mean kinetic energy of a grain over p D^3 at rest
-  std::int64_t most_steps = 2'000'000;    ///< per stage; a stage that needs more is a failure
+  double loose_void_ratio = 1.2;          ///< void ratio at the end of stage 1
+  double compaction_rate = 1.0;           ///< compression rate of each axis in stage 1, 1/s
+  std::array<double, 3> servo_rates{0.2, 0.1, 0.05};  ///< largest strain rates in stages 2, 3 and 4, 1/s
+  int servo_interval = 30;                ///< steps between two updates of the servo
+  double stress_tolerance = 1e-3;         ///< of each stress at the end of stage 4, as a fraction of sigma_0
+  double kinetic_tolerance = 1e-8;        ///< largest kinetic_number at the end of stages 2 to 4
+  std::int64_t most_steps = 2'000'000;    ///< limit per stage; a stage that needs more fails
 
-  /// Text that is equal exactly when two recipes prepare the same sample by one procedure and engine. It leaves out
-  /// `most_steps`: a sample that is complete needed no more of them.
+  /// Two recipes have equal texts exactly if they prepare the same sample with one procedure and engine. The text
+  /// leaves out `most_steps`, which does not affect a completed sample.
   std::string text() const;
 
   static constexpr auto fields() {
@@ -64,7 +64,7 @@ struct SampleRecipe {
 };
 static_assert(lists_every_member<SampleRecipe>());
 
-/// Throws std::invalid_argument: what is wrong, the value, what is allowed, how to mend it.
+/// Throws std::invalid_argument if a value is out of its range, or if the time step is too long.
 void validate(const SampleRecipe& recipe);
 
 }  // namespace flowslide

@@ -11,12 +11,12 @@ namespace flowslide {
 
 /// One sample that a case needs.
 struct SampleSpecification {
-  std::string name;          ///< its key below [sample]
-  SampleRecipe recipe;       ///< where the search for its void ratio starts
+  std::string name;          ///< key of its table below [sample]
+  SampleRecipe recipe;       ///< first recipe of the search for its void ratio
   VoidRatioTarget target;
-  bool allow_uneven = false;  ///< whether samples are taken that are not as even as a random packing (see unevenness)
+  bool allow_uneven = false;  ///< accepts samples that are less uniform than a random packing (see unevenness)
 
-  /// "e0_790_seed2": one for each sample of a configuration.
+  /// "e0_790_seed2": unique among the samples of a configuration.
   std::string label() const { return fmt::format("{}_seed{}", name, recipe.packing.seed); }
 };
 

@@ -13,10 +13,11 @@
 namespace flowslide {
 namespace {
 
-constexpr double slope = 0.15;                                     ///< de_0/dmu_1 between mu_1 = 0.25 and 0.5
-constexpr double smallest_friction = 0.0, largest_friction = 0.6;  ///< unless the search starts beyond: mu = 0.5 then
-                                                                   ///< collapses most of what is gained
-constexpr double densest = 0.55, loosest = 1.0;                    ///< random packings of spheres: 0.56 to about 0.9
+constexpr double slope = 0.15;  ///< measured de_0/dmu_1 between mu_1 = 0.25 and 0.5
+/// Bounds of mu_1; a search that starts above the upper bound keeps its start as the bound. Above the bound, the
+/// friction of stage 4 (0.5) collapses most of the gain in void ratio.
+constexpr double smallest_friction = 0.0, largest_friction = 0.6;
+constexpr double densest = 0.55, loosest = 1.0;  ///< e_0 of random packings of spheres: 0.56 to about 0.9
 
 }  // namespace
 
@@ -40,7 +41,7 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
   SampleRecipe recipe = start;
   double offset_sum = 0.0;
   const auto error = [&](const Trial& trial) { return std::abs(trial.void_ratio - target.void_ratio); };
-  std::string collapse;  // of the last sample that could not be prepared
+  std::string collapse;  // message of the last failed preparation
   for (int attempt = 0; attempt < target.most_trials; ++attempt) {
     try {
       trials.push_back({recipe, prepare(recipe)});

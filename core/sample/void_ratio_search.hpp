@@ -8,34 +8,37 @@
 
 namespace flowslide {
 
-/// One preparation on the way to a void ratio.
+/// One preparation of a search.
 struct Trial {
   SampleRecipe recipe;
   double void_ratio = 0.0;
 };
 
-/// What a search looks for.
+/// Target of a search.
 struct VoidRatioTarget {
   double void_ratio = 0.79;   ///< e_0 of the whole cell
-  double tolerance = 2e-3;    ///< on either side
+  double tolerance = 2e-3;    ///< largest deviation of e_0 from the target, > 0
   int most_trials = 10;
 };
 
-/// Throws std::invalid_argument if no packing of spheres at rest has this void ratio, or the tolerance is not positive.
+/// Throws std::invalid_argument if no packing of spheres at rest has this void ratio, if the tolerance is not positive,
+/// or if no trial is allowed.
 void validate(const VoidRatioTarget& target);
 
-/// Searches the recipe for a void ratio by its preparation friction mu_1 and its seed, and returns all trials, the last
-/// of them within the tolerance. `prepare` makes a sample and returns its void ratio.
+/// Searches for a sample with the void ratio of `target` by varying its preparation friction mu_1 and its seed. Returns
+/// all trials that gave a sample; the last one is within the tolerance. `prepare` makes a sample and returns its void
+/// ratio.
 ///
-/// Seeds scatter e_0 by 0.004 to 0.012 at one recipe, as much as the paper's spacing of samples, so a root finder has
-/// nothing to hold on to. Each trial is a new seed at the mu_1 that the mean of all trials so far suggests, with the
-/// measured slope de_0/dmu_1 = 0.15: the draws gather around the target until one falls within the tolerance.
-/// A packing that fails, such as one too loose to bear its stress at rest, is a trial as well; the next seed follows.
-/// Throws NumericalFailure if none fits; the message names the nearest one.
+/// At one recipe the seeds scatter e_0 by 0.004 to 0.012, which is as large as the differences between the paper's
+/// samples. A root finder therefore fails. Instead, each trial uses a new seed and the mu_1 that the mean of all trials
+/// so far suggests, with the measured slope de_0/dmu_1 = 0.15. The realizations scatter around the target until one is
+/// within the tolerance. If a preparation fails, for example because the packing is too loose to bear its stress at
+/// rest, it counts as a trial, and the next seed follows. Throws NumericalFailure if no trial fits; the message gives
+/// the nearest.
 std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioTarget& target,
                                      const std::function<double(const SampleRecipe&)>& prepare);
 
-/// A hash of the sources of search_void_ratio: equal versions find equal samples.
+/// A hash of the sources of search_void_ratio. Equal hashes find equal samples.
 std::string search_version();
 
 }  // namespace flowslide
