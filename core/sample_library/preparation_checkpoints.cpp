@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* part = "preparation";
 
-/// Calls `visit(name, member)` for each number of a state; the one list that writing and reading share.
+/// Calls `visit(name, member)` for each number of a state. Writing and reading share this list.
 template <typename State, typename Visit>
 void for_each_number(State& state, Visit&& visit) {
   visit("steps", state.steps);

@@ -10,19 +10,20 @@
 
 namespace flowslide {
 
-/// Called many times while a sample is prepared or waited for. It may call `keep`, which writes where the preparation
-/// stands and says whether it could, and may end the preparation by an exception. Collective over the MPI ranks.
+/// Called at each checkpoint opportunity while a sample is prepared or waited for. It may call `keep`, which writes the
+/// state of the preparation and returns whether this succeeded. It may throw to end the preparation. Collective over
+/// the MPI ranks.
 using PreparationBorder = std::function<void(const std::function<bool()>& keep)>;
 
-/// Where the preparation of one sample stands: <key>.checkpoint_*.h5 in the folder of samples, while it is under way.
-/// What cannot be read or written is told on stderr and costs no more than time. Collective over the MPI ranks.
+/// Checkpoints of the preparation of one sample: <key>.checkpoint_*.h5 in the folder of samples until the preparation
+/// ends. Errors of reading and writing are reported on stderr; they cost time only. Collective over the MPI ranks.
 class PreparationCheckpoints {
  public:
   PreparationCheckpoints(const std::filesystem::path& folder, std::string key);
 
-  /// What to go on from; empty at the beginning, or if all that there is has been damaged.
+  /// The newest readable state; empty if there is no checkpoint or if all are damaged.
   std::optional<PreparationState> find() const;
-  /// False if it could not be written.
+  /// Writes a checkpoint. Returns false if this failed.
   bool keep(const PreparationState& state);
   void remove() const;
 

@@ -18,10 +18,10 @@
 namespace flowslide {
 namespace {
 
-/// A rough count, for the progress line alone: a preparation takes 120 000 to 250 000 steps.
+/// Rough total for the progress line: a preparation takes 120 000 to 250 000 steps.
 constexpr std::int64_t typical_steps = 200'000;
 
-/// While another process prepares the same sample.
+/// Pause between two attempts to lock a sample that another process prepares.
 constexpr std::chrono::milliseconds time_between_tries{50};
 
 double metric(const StoredSample& stored, const std::string& name) {
@@ -58,7 +58,8 @@ PreparedSample prepared(const StoredSample& stored) {
   return sample;
 }
 
-/// The lock of a sample on the first rank, once no other process holds it. Says so once if it has to wait.
+/// Returns the lock of a sample on the first rank, and an empty optional on the others. Waits until no other process
+/// holds the lock; a message says so once.
 std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const std::string& label,
                                  const ProgressStyle& style, const PreparationBorder& border) {
   std::optional<FileLock> lock;
@@ -81,7 +82,7 @@ std::optional<FileLock> wait_for(const SampleStore& store, const std::string& ke
   }
 }
 
-/// Makes the folder of the cache and says so. One that cannot be made is the store's to refuse.
+/// Makes the folder of the cache and reports it. If this fails, the store refuses the folder later.
 void say_if_new(const std::filesystem::path& cache, const ProgressStyle& style) {
   std::error_code failure;
   if (!std::filesystem::create_directories(cache, failure) || style.silent) return;
@@ -113,13 +114,13 @@ PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe,
   }
 }
 
-/// What is kept of a preparation that failed. The steps that it had are no part of a sample's key: one that is complete
-/// needed no more of them.
+/// The record of a failed preparation. Its text includes `most_steps`, because more steps may let the same recipe
+/// succeed. The key of a sample leaves them out: they do not affect a completed sample.
 FailedSample failed(const SampleRecipe& recipe, const std::string& reason) {
   return {fmt::format("{}most_steps = {}\n", recipe.text(), recipe.most_steps), reason};
 }
 
-/// The way from a recipe to its sample: out of the cache, or by a preparation that is kept there.
+/// Provides the sample of a recipe: from the cache, or by a preparation whose result is then stored in the cache.
 struct Trials {
   Engine& engine;
   const SampleStore& store;
@@ -129,7 +130,7 @@ struct Trials {
 
   PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
     const std::string key = cache_key(recipe, preparation_identity(engine.name(), engine.version()));
-    // First without a lock: the cache may be another user's, or read-only.
+    // First without a lock: the cache may belong to another user or be read-only.
     if (auto kept = find(recipe, key)) return *std::move(kept);
     on_first_rank([&] { say_if_new(folder, style); });
     const std::optional<FileLock> lock = wait_for(store, key, label, style, border);
@@ -147,7 +148,7 @@ struct Trials {
     }
   }
 
-  /// The sample, if it is there. Throws NumericalFailure if its preparation is known to fail.
+  /// The sample if the cache has it. Throws NumericalFailure if its preparation is known to fail.
   std::optional<PreparedSample> find(const SampleRecipe& recipe, const std::string& key) const {
     bool is_there = false, has_failed = false;
     on_first_rank([&] {

@@ -13,34 +13,34 @@
 
 namespace flowslide {
 
-/// A sample of the void ratio that was asked for, and how it was found.
+/// A sample with the required void ratio, and how it was found.
 struct FoundSample {
   PreparedSample sample;
-  SampleRecipe recipe;    ///< of the last trial, the one that fits
-  int trials = 0;
+  SampleRecipe recipe;    ///< recipe of the last trial, which is within the tolerance
+  int trials = 0;         ///< number of trials that gave a sample
   PackingHealth health;
-  std::string name = {};  ///< that of its table and its key in the cache: see Provenance::sample
+  std::string name = {};  ///< name of its table and a key of its recipe and engine: see Provenance::sample
 };
 
-/// Void ratios, recipe and health of a sample, as numbers of a result.
+/// Void ratios, recipe and health of a sample, as metrics of a result.
 std::vector<Metric> metrics_of(const FoundSample& found);
 
-/// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` below the current folder. find_sample says where it is
-/// when it makes it.
+/// Folder of the prepared samples: $FLOWSLIDE_CACHE, or `cache` in the current folder. If the folder is new,
+/// find_sample makes it and reports its path.
 std::filesystem::path sample_cache_folder();
 
-/// What makes a sample from its recipe: an engine of that version, and the procedure of the preparation.
+/// Identity of what makes a sample from a recipe: engine, its version, and the hash of the preparation procedure.
 std::string preparation_identity(const std::string& engine, const std::string& version);
 
-/// Key of a recipe in the cache; `preparation` is a preparation_identity.
+/// Key of a recipe in the cache. `preparation` is a preparation_identity.
 std::string cache_key(const SampleRecipe& recipe, const std::string& preparation);
 
-/// Searches the recipe until the sample has its void ratio. Every trial is kept in the cache under the hash of all that
-/// went into it, engine included, one that failed with its reason, so that the same search takes the same way again
-/// without a step. A sample that is uneven (see unevenness) counts as one that failed, unless the specification takes
-/// it. Collective over the MPI ranks. Throws NumericalFailure, and CorruptFileError for a damaged file of the cache.
-/// `border` is called many times while a sample is prepared or waited for: what it keeps of a preparation, the next
-/// call goes on from.
+/// Searches for a sample with the void ratio of the specification (see search_void_ratio). Caches every trial, failures
+/// included, under a hash of recipe, engine and procedure. Repeating a search replays the same decisions without
+/// running DEM. An uneven sample (see unevenness) counts as a failure unless the specification allows it. `border` is
+/// called at each checkpoint opportunity while a sample is prepared or waited for; the next call continues from the
+/// checkpoint that `border` keeps. Collective over the MPI ranks. Throws NumericalFailure if no trial fits,
+/// CorruptFileError for a damaged file of the cache, and FileError for a cache that cannot be written.
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
                         const ProgressStyle& style, const PreparationBorder& border = {});
 
