@@ -42,7 +42,7 @@ Cell read_cell(const hdf5::Group& group) {
   std::ranges::copy(group.read<double>("cell_upper", {3}), cell.upper.data());
   const auto periodic = group.read<std::uint8_t>("cell_periodic", {3});
   for (std::size_t axis = 0; axis < 3; ++axis) cell.periodic[axis] = periodic[axis] != 0;
-  if (cell.periodic[2] && group.has("cell_shear_offset")) {  // not of files before such cells were sheared
+  if (cell.periodic[2] && group.has("cell_shear_offset")) {  // absent in files from before such cells could be sheared
     cell.shear_offset = group.read<double>("cell_shear_offset", {1})[0];
     cell.shear_velocity = group.read<double>("cell_shear_velocity", {1})[0];
   }

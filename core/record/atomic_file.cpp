@@ -32,7 +32,7 @@ std::string mend(int error) {
   throw FileError(fmt::format("cannot write {}: {}; {}", path.string(), std::strerror(error), mend(error)));
 }
 
-/// A new file beside `path`, removed again unless it was published.
+/// A new file in the folder of `path`, removed again unless it was published.
 class AsideFile {
  public:
   explicit AsideFile(const fs::path& path) : target_(path) {
@@ -73,13 +73,14 @@ class AsideFile {
     if (if_exists == IfExists::replace) return ::rename(aside_.c_str(), target_.c_str()) == 0;
     if (::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0) return true;
     if (errno != EINVAL && errno != ENOSYS) return false;
-    // This file system cannot; a hard link refuses an existing name as well.
+    // This file system does not support RENAME_NOREPLACE. A hard link refuses an existing name as well.
     if (::link(aside_.c_str(), target_.c_str()) != 0) return false;
     ::unlink(aside_.c_str());
     return true;
   }
 
-  /// The content is safe already; the new name is after this. Not every file system can, and none needs to.
+  /// Makes the new name survive a crash; the content is on disk already. File systems may not support this, so errors
+  /// are ignored.
   void sync_folder() const {
     const auto folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -123,7 +124,7 @@ std::string read_file(const fs::path& path) {
   const auto fail = [&](int error) {
     throw FileError(fmt::format("cannot read {}: {}", path.string(), std::strerror(error)));
   };
-  // A named pipe would otherwise be waited for.
+  // O_NONBLOCK: opening a named pipe would otherwise wait for a writer.
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (file.value < 0) fail(errno);
   struct stat status {};

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Two lives. Included by core/CMakeLists.txt after flowslide_library(record): adds a target that runs on each build.
-# Run by that target (cmake -P): writes record/build_values.hpp, and touches it only if something changed.
+# This file has two uses. core/CMakeLists.txt includes it after flowslide_library(record): it then adds a target that
+# runs on each build. The target runs it as a script (cmake -P): it then writes record/build_values.hpp if its content
+# changed.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(build_values_folder ${PROJECT_BINARY_DIR}/generated)
   get_target_property(options flowslide_options INTERFACE_COMPILE_OPTIONS)
@@ -19,9 +20,10 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# Output of `git ARGUMENTS...` in the source, or in `failure` the first line of what git says instead. The checkout may
-# belong to another user, as one that is mounted into a container does. Git then refuses to read it, because settings of
-# a repository can start programs. Who builds the source runs its CMake files anyway: the refusal would protect nothing.
+# ask_git(<output> <failure> <arguments>...): the output of git in the source. On an error, <failure> holds the first
+# line of git's message. The checkout may belong to another user, for example in a container. Git then refuses to read
+# it, because settings of a repository can start programs. A build runs the CMake files of the source anyway, so this
+# check protects nothing here and is switched off.
 function(ask_git output failure)
   execute_process(COMMAND ${git} -c safe.directory=* -C ${source} --no-optional-locks ${ARGN} OUTPUT_VARIABLE answer
                   ERROR_VARIABLE complaint RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -36,7 +38,7 @@ endfunction()
 set(git_revision unknown)
 set(why "")
 find_program(git git)
-# The folder above a source archive may be a repository of something else: only our own root counts.
+# The folder above a source archive may be another repository. Only a .git in the root of the source counts.
 if(NOT EXISTS ${source}/.git)
   set(git_state "unknown: the source is no git checkout")
 else()
@@ -59,7 +61,7 @@ else()
   endif()
 endif()
 
-# The paper is the first of the references, each of which begins with "- type:"; another one's DOI is not the paper's.
+# The paper is the first reference, and each reference begins with "- type:". Only a DOI within the first one counts.
 set(paper_doi unknown)
 if(EXISTS ${source}/CITATION.cff)
   file(READ ${source}/CITATION.cff citation)

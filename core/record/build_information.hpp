@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-// What the build system knows. The file "record/build_values.hpp" is made anew on each build by
-// build_information.cmake; code compiled without CMake knows nothing.
+// Values from the build system. build_information.cmake updates the file "record/build_values.hpp" on each build. Code
+// compiled without CMake has "unknown" everywhere.
 #if __has_include("record/build_values.hpp")
 #include "record/build_values.hpp"
 #else

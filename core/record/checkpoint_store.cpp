@@ -22,7 +22,7 @@ struct Intact {
   hdf5::File file;
 };
 
-/// A file that is there and whole; empty, with a word, if it is not whole.
+/// Opens a checkpoint. Returns an empty optional if the file is absent, or damaged; `complain` is called for damage.
 std::optional<Intact> open(const std::filesystem::path& path, int place,
                            const std::function<void(std::string_view)>& complain) {
   if (std::error_code failure; !std::filesystem::exists(path, failure)) return std::nullopt;

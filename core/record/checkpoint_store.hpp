@@ -11,34 +11,36 @@
 
 namespace flowslide {
 
-/// The last two checkpoints of one run, <folder>/<name>.checkpoint_0.h5 and <name>.checkpoint_1.h5: HDF5 files with
-/// their checksum behind (see sealed_file.hpp), the attribute `checkpoint` of the root being the number, from 1. The
-/// newer one is never touched while the next is written, which takes the place of the older one whole or not at all.
-/// Not collective: one rank writes and removes; all may read.
+/// The last two checkpoints of one run: <folder>/<name>.checkpoint_0.h5 and <name>.checkpoint_1.h5. Both are HDF5 files
+/// with a checksum at the end (see sealed_file.hpp). The attribute `checkpoint` of the root is the number, from 1. A
+/// new checkpoint replaces the older file, whole or not at all; the newer file is not touched meanwhile. Not
+/// collective: one rank writes and removes; all may read.
 class CheckpointStore {
  public:
   CheckpointStore(std::filesystem::path folder, std::string name);
 
-  /// Writes the next checkpoint, which `fill` puts below the root. Throws FileError, with both files as they were.
+  /// Writes the next checkpoint; `fill` writes its content below the root. Throws FileError and then leaves both files
+  /// unchanged.
   void put(const std::function<void(hdf5::Group&)>& fill);
 
-  /// Calls `read` with the newest checkpoint and, if that is torn, altered or not what `read` can use (it throws
-  /// CorruptFileError), with the one before. `complain` is told of each that cannot be used. Returns its number; 0 if
-  /// there is no checkpoint. Throws CorruptFileError if there are some, and none can be used.
+  /// Calls `read` with the newest checkpoint. If this one is truncated or altered, or if `read` throws
+  /// CorruptFileError, uses the one before. Calls `complain` with a message for each unusable file. Returns the number
+  /// of the checkpoint that was read, or 0 if there is none. Throws CorruptFileError if checkpoints exist but none can
+  /// be used.
   std::int64_t read_newest(const std::function<void(const hdf5::Group&)>& read,
                            const std::function<void(std::string_view)>& complain) const;
 
-  /// Whether there is one, whole or not.
+  /// Whether no checkpoint exists, damaged ones included.
   bool empty() const;
   void remove() const;
-  /// When the newest was written; empty if there is none.
+  /// Time when the newest checkpoint was written; empty if there is none.
   std::optional<std::filesystem::file_time_type> last_write() const;
-  std::filesystem::path path(int place) const;  ///< 0 or 1
+  std::filesystem::path path(int place) const;  ///< `place` is 0 or 1
 
  private:
   std::filesystem::path folder_;
   std::string name_;
-  std::int64_t last_ = -1;  ///< number of the newest; -1: not known yet
+  std::int64_t last_ = -1;  ///< number of the newest checkpoint; -1: not known yet
 };
 
 }  // namespace flowslide

@@ -23,7 +23,7 @@ int open_lock(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor >= 0) return descriptor;
   const int reason = errno;
-  // One that another user has left may be locked, though not written.
+  // A lock file of another user can be locked without write permission.
   const int readable = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (readable >= 0 && reason != EISDIR) return readable;
   if (readable >= 0) ::close(readable);
@@ -37,7 +37,7 @@ std::string this_machine() {
   return name.data();
 }
 
-/// False if another process holds it. An error other than that means that this file system has no locks.
+/// Returns false if another process holds the lock. Any other error means that this file system has no locks.
 bool take(int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0) {
     if (errno == EWOULDBLOCK) return false;
@@ -60,7 +60,7 @@ std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   return lock;
 }
 
-/// What cannot be written is not missed: the lock holds without it.
+/// Writes process number and machine into the lock file. Errors are ignored: the lock works without this text.
 void FileLock::sign() const {
   const std::string text = fmt::format("{} {}\n", ::getpid(), this_machine());
   const bool written = ::ftruncate(descriptor_, 0) == 0 &&
@@ -82,7 +82,7 @@ std::string FileLock::holder(const std::filesystem::path& path) {
   if (error != std::errc{} || number <= 0 || rest.size() < 3 || rest.front() != ' ' || rest.back() != '\n')
     return unknown;
   const std::string_view machine = rest.substr(1, rest.size() - 2);
-  // One that has ended did not sign what another holds now: that one may not write the file.
+  // If the process of the file has ended, the present holder could not write its own number: it is unknown.
   if (machine == this_machine() && ::kill(number, 0) != 0 && errno == ESRCH) return unknown;
   return fmt::format("process {} on {}", number, machine);
 }

@@ -6,19 +6,19 @@
 
 namespace flowslide {
 
-/// An exclusive lock between processes (flock): held from construction to destruction, given up by the system when the
-/// process ends, however it ends. The lock file stays, with the number and the machine of the process that had it last.
-/// On a file system without locks nothing is held.
+/// An exclusive lock between processes (flock), held from construction to destruction. The system releases it when the
+/// process ends in any way. The lock file stays, with number and machine of its last holder. On a file system without
+/// locks the lock has no effect.
 class FileLock {
  public:
-  /// Waits for the lock; creates the file. Throws FileError if it can be neither created nor opened.
+  /// Creates the lock file and waits for the lock. Throws FileError if the file can be neither created nor opened.
   explicit FileLock(const std::filesystem::path& path);
-  /// The lock if nobody holds it, empty otherwise.
+  /// The lock if no other process holds it; otherwise empty. Throws as the constructor.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
-  /// Whether another process holds it now; makes no file.
+  /// Whether another process holds the lock now. Creates no file.
   static bool is_held(const std::filesystem::path& path);
-  /// Who holds a lock that is held: "process 1234 on node7", or "another process" if the file does not say.
+  /// Holder of a held lock: "process 1234 on node7", or "another process" if the file does not tell.
   static std::string holder(const std::filesystem::path& path);
 
   FileLock(FileLock&& other) noexcept;

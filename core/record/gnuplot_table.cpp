@@ -17,7 +17,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-/// One line of a header: a line break would end the comment, a bar would end a part.
+/// Text for one part of a header line: a line break would end the comment, and a bar would end the part.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r' || c == '|') c = ' ';
@@ -29,7 +29,7 @@ std::string column_line(std::size_t index, const Column& column) {
                      one_line(column.units), one_line(column.long_name), one_line(column.sign_convention));
 }
 
-/// Follows one file line by line and knows where it is.
+/// Reads a table line by line and counts lines for messages.
 class Reader {
  public:
   Reader(std::string_view text, std::string path) : rest_(text), path_(std::move(path)) {}

@@ -5,8 +5,8 @@
 
 namespace flowslide {
 
-/// XXH3 of 128 bits, as 32 lower-case hexadecimal digits: the one hash of this project, for configurations, recipes and
-/// files. It finds damage and change, not forgery. The command `xxhsum -H128` gives the same.
+/// XXH3 hash of 128 bits, as 32 lower-case hexadecimal digits. This project uses it for configurations, recipes and
+/// files. It detects damage and change, not forgery. The command `xxhsum -H128` gives the same hash.
 std::string hash_of(std::string_view bytes);
 
 }  // namespace flowslide

@@ -29,7 +29,7 @@ hid_t memory_type<std::uint32_t>() { return H5T_NATIVE_UINT32; }
 template <>
 hid_t memory_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
 
-/// Number of elements; the largest number there is if that overflows.
+/// Number of elements; the largest std::uint64_t if it overflows.
 std::uint64_t count(const Shape& shape) {
   std::uint64_t product = 1;
   for (const auto extent : shape)
@@ -44,7 +44,7 @@ Handle dataspace(const Shape& shape, const std::string& label) {
   return {check_written(id, label, "describe its shape"), H5Sclose};
 }
 
-/// Without times, so that the same content gives the same bytes.
+/// Properties without times: equal content then gives equal bytes.
 Handle creation_properties(hid_t kind) {
   Handle properties(check_written(H5Pcreate(kind), "HDF5", "create properties"), H5Pclose);
   H5Pset_obj_track_times(properties, 0);

@@ -11,9 +11,9 @@
 
 #include "record/atomic_file.hpp"
 
-/// The part of HDF5 that results need, without its handles. Files live in memory: they are written and read in one
-/// piece by the caller, so that a full disk or a damaged file is met before HDF5 is. All errors are CorruptFileError
-/// when reading and FileError when writing, with the file, the object and HDF5's own words.
+/// The part of HDF5 that results need. Files are in memory, and the caller writes and reads them in one piece: a full
+/// disk or a damaged file is thus found before HDF5 acts. Reading throws CorruptFileError, and writing throws
+/// FileError. The message gives the file, the object and the message of HDF5.
 namespace flowslide::hdf5 {
 
 /// Owns one HDF5 identifier.
@@ -33,10 +33,10 @@ class Handle {
 
 using Shape = std::vector<std::uint64_t>;  ///< empty for a scalar
 
-/// What groups and datasets have in common: attributes, and a name for messages.
+/// Base of groups and datasets: attributes, and a label for messages.
 class Object {
  public:
-  void set_attribute(const std::string& name, std::string_view text);   ///< UTF-8; h5py gives str
+  void set_attribute(const std::string& name, std::string_view text);   ///< UTF-8; h5py reads it as str
   void set_attribute(const std::string& name, const char* text) { set_attribute(name, std::string_view(text)); }
   void set_attribute(const std::string& name, std::int64_t value);
   void set_attribute(const std::string& name, int value) { set_attribute(name, std::int64_t{value}); }
@@ -59,9 +59,9 @@ class Object {
 class Dataset : public Object {
  public:
   Shape shape() const;
-  /// Makes this one-dimensional array an axis that others can be attached to.
+  /// Makes this one-dimensional array a dimension scale, the axis of other arrays.
   void make_scale(const std::string& name);
-  /// Names `scale` as the axis of dimension 0.
+  /// Makes `scale` the axis of dimension 0 of this array.
   void attach_scale(const Dataset& scale);
 
  private:
@@ -76,16 +76,17 @@ class Group : public Object {
   Group group(const std::string& name) const;
   Dataset dataset(const std::string& name) const;
   bool has(const std::string& name) const;
-  std::vector<std::string> names() const;  ///< of its groups and datasets, in the order of their creation
+  std::vector<std::string> names() const;  ///< names of its groups and datasets, in order of creation
 
-  /// Creates an array, row-major. T: double, std::uint32_t, std::uint8_t. Throws std::invalid_argument if the number of
-  /// values is not the product of `shape`.
+  /// Creates an array, row-major. T is double, std::uint32_t or std::uint8_t. Throws std::invalid_argument if the
+  /// number of values is not the product of `shape`.
   template <typename T>
   Dataset write(const std::string& name, std::span<const T> values, const Shape& shape);
   Dataset write(const std::string& name, double value);
   Dataset write_text(const std::string& name, std::string_view text);
 
-  /// Throws if it is missing, of another type or of another shape; an extent of `any` fits every length.
+  /// Reads an array, row-major. Throws CorruptFileError if it is missing or of another type or shape. An extent of
+  /// `any` matches every length.
   template <typename T>
   std::vector<T> read(const std::string& name, const Shape& expected) const;
   double read_number(const std::string& name) const;
@@ -101,14 +102,14 @@ class Group : public Object {
 /// An HDF5 file in memory.
 class File {
  public:
-  /// An empty file; `path` serves only messages.
+  /// An empty file. `path` appears only in messages.
   static File create(const std::string& path);
-  /// The file whose bytes are `image`. The image is copied.
+  /// The file with the bytes `image`, which are copied. `path` appears only in messages.
   static File open(std::string_view image, const std::string& path);
 
   Group& root() { return root_; }
   const Group& root() const { return root_; }
-  /// The bytes of the file as they belong on disk.
+  /// The bytes of the file, as they are to be written to disk.
   std::string image() const;
 
  private:

@@ -9,7 +9,7 @@ namespace flowslide::hdf5 {
 namespace {
 
 extern "C" herr_t append_description(unsigned depth, const H5E_error2_t* error, void* text) {
-  // The innermost two entries say what happened; those above repeat it for each caller.
+  // The two innermost entries describe the error. The entries above repeat it for each caller.
   if (depth > 1 || error->desc == nullptr) return 0;
   auto& message = *static_cast<std::string*>(text);
   if (!message.empty()) message += ", ";

@@ -7,13 +7,13 @@
 
 namespace flowslide::hdf5 {
 
-/// Stops HDF5 from printing its errors: they are thrown instead.
+/// Stops HDF5 from printing its errors, which are thrown instead.
 void silence();
 
-/// What HDF5 says about the last failed call, innermost first; forgets it.
+/// HDF5's messages about the last failed call, innermost first. Clears them.
 std::string last_error();
 
-/// Return `id`, a result of HDF5; throw FileError or CorruptFileError if it is negative.
+/// Both return `id`, a result of HDF5. If `id` is negative, they throw FileError and CorruptFileError, respectively.
 hid_t check_written(hid_t id, std::string_view object, std::string_view action);
 hid_t check_read(hid_t id, std::string_view object, std::string_view action);
 

@@ -19,7 +19,7 @@ Handle memory_driver(const std::string& path) {
   return access;
 }
 
-/// HDF5 takes two open files in memory for the same one if their names are equal.
+/// A new name for each file: HDF5 confuses two open files in memory that have the same name.
 std::string unique_name() {
   static std::atomic<std::uint64_t> count{0};
   return fmt::format("flowslide memory file {}", count++);
@@ -44,7 +44,7 @@ File File::create(const std::string& path) {
 File File::open(std::string_view image, const std::string& path) {
   if (image.empty()) throw CorruptFileError(path + ": the file is empty");
   const Handle access = memory_driver(path);
-  // HDF5 copies the image; its interface only lacks the const.
+  // HDF5 copies the image and does not change it; const is only missing in its interface.
   check_read(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()), path, "take its bytes");
   const hid_t id = H5Fopen(unique_name().c_str(), H5F_ACC_RDONLY, access);
   return {Handle(check_read(id, path, "open it as HDF5"), H5Fclose), path};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Attributes and texts of hdf5.hpp. Strings are of variable length and UTF-8: those h5py returns as str.
+// Attributes and texts of hdf5.hpp. Strings are UTF-8 of variable length, which h5py returns as str.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -29,7 +29,7 @@ void check_scalar(hid_t space, const std::string& label) {
   if (H5Sget_simple_extent_type(space) != H5S_SCALAR) throw CorruptFileError(label + ": a single value was expected");
 }
 
-/// The string that HDF5 allocated, as ours.
+/// Copies a string that HDF5 allocated, and frees it.
 std::string taken(char* text) {
   std::string result = text == nullptr ? "" : text;
   H5free_memory(text);
@@ -44,7 +44,7 @@ void write_attribute(hid_t object, const std::string& name, const std::string& l
   check_written(H5Awrite(attribute, type, value), label, "write it");
 }
 
-/// Reads one value as `memory_type`, if the stored type is of class `expected`.
+/// Reads one value as `memory_type`. Throws CorruptFileError unless the stored type is of the class `expected`.
 void read_attribute(hid_t object, const std::string& name, const std::string& label, H5T_class_t expected,
                     hid_t memory_type, void* value) {
   const Handle attribute(check_read(H5Aopen(object, name.c_str(), H5P_DEFAULT), label, "open it"), H5Aclose);

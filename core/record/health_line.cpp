@@ -16,7 +16,7 @@ std::optional<double> value_of(const std::vector<Metric>& metrics, const std::st
   return {};
 }
 
-/// The largest along any axis, without sign.
+/// The largest magnitude along any axis.
 double largest(const std::vector<Metric>& metrics, const std::string& name) {
   double most = 0.0;
   for (const char axis : {'x', 'y', 'z'})

@@ -6,15 +6,15 @@
 
 namespace flowslide {
 
-/// A table that a run has read from a file, kept with the result so that it can be read back when the file is gone.
+/// A table that a run has read from a file. The result keeps it, because the file may be lost later.
 struct InputTable {
-  std::string name;  ///< what it is to the run, as for columns: "loading"
-  std::string file;  ///< as the configuration names it
+  std::string name;  ///< its use in the run: "loading"; letters as for columns
+  std::string file;  ///< path as given in the configuration
   Series rows;
 };
 
-/// The number of rows and the hash of all numbers: "3 rows (hash 0123...)". Equal texts stand for equal rows, whatever
-/// the file looked like.
+/// The number of rows and the hash of all numbers: "3 rows (hash 0123...)". Equal texts mean equal rows; the format of
+/// the file does not matter.
 std::string content_of(const InputTable& table);
 
 }  // namespace flowslide

@@ -56,7 +56,7 @@ Provenance start_provenance(std::span<const char* const> arguments) {
   provenance.paper_doi = build_information::paper_doi;
   provenance.host = host_name();
   provenance.command_line = shell_line(arguments);
-  // std::time() may be some milliseconds behind this clock, and so a second behind what others say.
+  // std::time() may lag this clock by some milliseconds, and thus show the second before.
   provenance.start_time = universal_time(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()));
   return provenance;
 }

@@ -7,11 +7,11 @@
 
 namespace flowslide {
 
-/// Where a result comes from: all that is needed to make it again, beside its configuration.
+/// Origin of a result: all that is needed to make it again, besides its configuration.
 struct Provenance {
   std::string code_version;            ///< of this project, such as "0.1.0"
   std::string git_revision;            ///< 40 hexadecimal digits, or "unknown" outside a repository
-  std::string git_state;  ///< "clean", "dirty" (changes not committed at build time) or "unknown: " and why
+  std::string git_state;  ///< "clean", "dirty" (uncommitted changes at build time) or "unknown: <reason>"
   std::string compiler;                ///< name and version
   std::string compiler_flags;
   std::string build_type;
@@ -23,22 +23,23 @@ struct Provenance {
   std::string engine_version;
   int mpi_ranks = 1;
   std::string case_name;               ///< such as "fig03_undrained"
-  std::string point;                   ///< of the case's sweep, such as "e0=0.790"
+  std::string point;                   ///< name of the run within the case, such as "e0_790"
   std::string figure;                  ///< of the paper, such as "3"
   std::string scale;                   ///< "quick" or "paper"
   std::int64_t seed = 0;
   int replicate = 0;
-  /// Table [sample.<name>] and key of the sample in the cache, "loosest 3f...": equal for runs on one sample. Without a
-  /// key if the sample is not made of grains.
+  /// Name of the table [sample.<name>] and key of the sample: "loosest 3f...". Equal for runs on one sample. A
+  /// closed-form sample has no key.
   std::string sample;
-  /// Cost, s: as predicted, with samples in the cache, and what all ranks and threads took, with samples that were not
-  /// there, over all starts of the program. Not a number where it was not recorded.
+  /// Predicted processor time, s, if all samples are in the cache. NaN: not recorded.
   double predicted_seconds = std::numeric_limits<double>::quiet_NaN();
+  /// Processor time of all ranks, threads and starts of the program, s; includes the preparation of samples that were
+  /// not in the cache. NaN: not recorded.
   double processor_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What is known at the start of any run: the build, host, command line and time. `arguments` as main() received them.
-/// The rest is for the case to fill in.
+/// The provenance known at the start of a run: build, host, command line and time. `arguments` are those of main(). The
+/// case fills in the other members.
 Provenance start_provenance(std::span<const char* const> arguments);
 
 /// `arguments` joined by blanks, each quoted for a POSIX shell where needed.

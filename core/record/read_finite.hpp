@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reading what a run goes on from: numbers that are not finite are refused.
+// Reading of checkpoints: refuses numbers that are not finite.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace flowslide {
 
-/// read_assembly, and CorruptFileError for grains or contacts that are not finite or a cell without volume.
+/// As read_assembly. Throws CorruptFileError also for grains or contacts that are not finite, for a radius that is not
+/// positive, and for a cell without volume.
 Assembly read_finite_assembly(const hdf5::Group& parent, const std::string& name);
 
-/// Reads a number that is an attribute: finite, and not negative where it is whole, or CorruptFileError.
+/// Reads a number from an attribute. Throws CorruptFileError if a double is not finite or if an integer is negative.
 struct ReadNumber {
   const hdf5::Group& group;
   void operator()(const char* name, double& value) const;

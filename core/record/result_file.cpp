@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* mend = "delete it and run that point again";
 
-/// Calls `visit(name, member)` for each member; the one list that writing and reading share.
+/// Calls `visit(name, member)` for each member. Writing and reading share this list.
 template <typename P, typename Visit>
 void for_each_member(P& provenance, Visit&& visit) {
   visit("code_version", provenance.code_version);
@@ -43,7 +43,7 @@ struct ReadMember {
   void operator()(const char* name, std::string& value) const { value = root.text_attribute(name); }
   void operator()(const char* name, std::int64_t& value) const { value = root.integer_attribute(name); }
   void operator()(const char* name, int& value) const { value = static_cast<int>(root.integer_attribute(name)); }
-  /// Costs: files of version 0.1 and before have none.
+  /// The costs; files of version 0.1 and before do not have them.
   void operator()(const char* name, double& value) const {
     if (root.has_attribute(name)) value = root.number_attribute(name);
   }

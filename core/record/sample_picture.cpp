@@ -26,7 +26,7 @@ Matrix3 rotation(const View& view) {
   return rows;
 }
 
-/// A point of the upright cell where it lies in the sheared one.
+/// Position in the sheared cell of a point of the upright cell.
 Vector3 sheared(Vector3 point, const Cell& cell, double strain) {
   point.x() += strain * (point.z() - cell.lower.z());
   return point;
@@ -38,7 +38,7 @@ struct Ball {
   Role role;
 };
 
-/// Back to front.
+/// The grains from back to front.
 std::vector<Ball> balls(const Assembly& assembly, const View& view) {
   const Matrix3 to_picture = rotation(view);
   std::vector<Ball> result;
@@ -53,7 +53,7 @@ std::vector<Ball> balls(const Assembly& assembly, const View& view) {
   return result;
 }
 
-/// A coarse canvas that remembers which ball was painted last on each of its points.
+/// A coarse grid that stores, for each of its points, the ball that was painted last.
 class Canvas {
  public:
   static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
@@ -90,7 +90,7 @@ class Canvas {
   std::vector<std::uint32_t> owner_;
 };
 
-/// Drops balls that others hide: most of a dense sample.
+/// The balls that other balls do not hide. In a dense sample most are hidden.
 std::vector<Ball> visible(const std::vector<Ball>& all) {
   if (all.empty()) return {};
   constexpr double points_per_radius = 10.0;
@@ -126,7 +126,8 @@ std::string edge_rows(const Cell& cell, const View& view, bool in_front) {
 
 std::vector<Disc> draw_grains(const Assembly& assembly, const View& view) {
   if (view.shells < 1) throw std::invalid_argument(fmt::format("{} shells per grain; at least 1", view.shells));
-  // The light comes from the upper left, over the viewer's shoulder; this is its direction in the picture plane.
+  // Direction towards the light in the plane of the picture: the light comes from the upper left, from behind the
+  // viewer.
   constexpr double light_across = -0.35, light_up = 0.5, rim_shade = 0.2;
   std::vector<Disc> discs;
   for (const Ball& ball : visible(balls(assembly, view)))

@@ -21,7 +21,7 @@ constexpr const char* mend = "delete it, and the sample will be prepared again";
 constexpr std::string_view failure_mark = "failed: ";
 
 bool is_there(const std::filesystem::path& path) {
-  std::error_code failure;  // what cannot be looked at is taken to be there, and reading it says why it cannot
+  std::error_code failure;  // after an error the file counts as present; reading it then reports the reason
   return std::filesystem::exists(path, failure) || failure;
 }
 

@@ -12,46 +12,45 @@
 
 namespace flowslide {
 
-/// A prepared sample as it is kept.
+/// A prepared sample in the store.
 struct StoredSample {
   std::string recipe;               ///< text of all that determined it
   Assembly assembly;
   std::vector<Metric> metrics;      ///< such as void ratio and the stresses reached
 };
 
-/// A preparation that came to nothing.
+/// A failed preparation in the store.
 struct FailedSample {
   std::string recipe;  ///< text of all that determined it
   std::string reason;
 };
 
-/// Prepared samples in a folder, one file <key>.h5 each, `key` being the hash of the recipe (letters and digits), and
-/// what came of those that failed, one text <key>.failed each.
-/// Not collective: with several MPI ranks, one of them calls this and broadcasts.
+/// A folder of prepared samples, one file <key>.h5 each, and of failed preparations, one text <key>.failed each. `key`
+/// is the hash of the recipe (letters and digits). Not collective: with several MPI ranks, one rank writes.
 class SampleStore {
  public:
-  /// The folder need not be there, nor be writable: it is made by the first lock or sample.
+  /// The folder may be absent or read-only. The first lock or sample creates it.
   explicit SampleStore(std::filesystem::path folder);
 
-  /// Whether there is a sample, or the reason of a failure, complete or damaged.
+  /// Whether the store has a file of a sample, and of a failure. The file may be damaged.
   bool has(const std::string& key) const;
   bool has_failure(const std::string& key) const;
-  /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file: it is
-  /// never used, and the message says which file to delete.
+  /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file; the
+  /// message says which file to delete.
   std::optional<StoredSample> find(const std::string& key) const;
-  /// Keeps `sample`, whole or not at all, in place of one of the same key. Throws std::invalid_argument if a value is
-  /// not finite, FileError if it cannot be written.
+  /// Writes `sample`, whole or not at all, and replaces an older one. Throws std::invalid_argument if a value is not
+  /// finite, and FileError if the file cannot be written.
   void put(const std::string& key, const StoredSample& sample) const;
-  /// Why the preparation failed; empty if none is known to. Throws as find().
+  /// The failure of a preparation; empty if none is recorded. Throws as find().
   std::optional<FailedSample> find_failure(const std::string& key) const;
-  /// Keeps a failure, whole or not at all. Throws FileError if it cannot be written.
+  /// Writes a failure, whole or not at all. Throws FileError if the file cannot be written.
   void put_failure(const std::string& key, const FailedSample& failure) const;
-  /// Waits until no other process holds the lock of `key`. Reading a sample needs none: it is complete as soon as it is
-  /// there. Throws FileError if the folder cannot be made or written.
+  /// Waits until no other process holds the lock of `key`. Reading needs no lock, because a sample appears only when it
+  /// is complete. Throws FileError if the folder cannot be made or written.
   FileLock lock(const std::string& key) const;
   /// The lock, or empty if another process holds it. Throws as lock().
   std::optional<FileLock> try_lock(const std::string& key) const;
-  /// Who holds the lock of `key`, as FileLock::holder says.
+  /// The holder of the lock of `key`, see FileLock::holder.
   std::string holder(const std::string& key) const;
   /// <folder>/<key>.h5. Throws std::invalid_argument for a key that is empty or not of letters and digits.
   std::filesystem::path path(const std::string& key) const;

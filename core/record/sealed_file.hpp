@@ -9,15 +9,15 @@
 
 namespace flowslide {
 
-/// Bytes that `write_sealed` puts behind the content: "\nflowslide xxh3 <32 digits>\n". HDF5 ignores them, and
-/// `head -c -49 FILE | xxhsum -H128` repeats the check by hand.
+/// Number of bytes that `write_sealed` appends to the content: "\nflowslide xxh3 <32 digits>\n". HDF5 ignores them. The
+/// command `head -c -49 FILE | xxhsum -H128` computes the same checksum.
 inline constexpr std::size_t seal_size = 49;
 
 /// Writes `content` and its seal, whole or not at all. Throws as write_atomically.
 void write_sealed(const std::filesystem::path& path, std::string_view content, IfExists if_exists);
 
-/// The content without its seal. Throws CorruptFileError if the seal is missing or any bit of the file has changed,
-/// before anything else looks at the content; `mend` (a sentence) ends the message.
+/// The content without its seal. Throws CorruptFileError if the seal is missing or if any bit of the file has changed.
+/// `mend` is the remedy that ends the message.
 std::string read_sealed(const std::filesystem::path& path, std::string_view mend);
 
 }  // namespace flowslide

@@ -10,11 +10,11 @@ namespace flowslide {
 
 /// One quantity along the axis of a series.
 struct Column {
-  std::string name;             ///< of the dataset: letters, digits, '_'; starts with a letter; such as "shear_stress"
+  std::string name;             ///< name of the dataset, such as "shear_stress": letters, digits, '_', a letter first
   std::string symbol;           ///< as in the paper, such as "tau"
   std::string units;            ///< SI, such as "Pa"; "1" if dimensionless
-  std::string long_name;        ///< for people, such as "shear stress"
-  std::string sign_convention;  ///< such as "compression positive"; empty if the quantity has no sign to choose
+  std::string long_name;        ///< name for readers, such as "shear stress"
+  std::string sign_convention;  ///< such as "compression positive"; empty if the quantity has no sign convention
   std::vector<double> values{};  ///< shape (rows)
 };
 
@@ -27,29 +27,30 @@ struct Series {
   /// Appends one value to the axis and to each column, in their order. Throws std::invalid_argument if the number of
   /// values is not the number of columns; then nothing is appended.
   void append_row(double axis_value, std::span<const double> values);
-  /// The column (or the axis) of that name. Throws std::out_of_range, naming those that exist.
+  /// The column or axis of this name. Throws std::out_of_range; the message lists the existing names.
   const Column& column(std::string_view name) const;
-  /// Whether there is one, the axis included.
+  /// Whether a column or the axis has this name.
   bool has(std::string_view name) const;
-  /// Its last value; NaN if there is no such column, or no row.
+  /// The last value of the column; NaN without such a column or without rows.
   double last(std::string_view name) const;
-  /// Throws std::invalid_argument if lengths differ, a name is empty, malformed or used twice, units are missing, or a
-  /// value is not finite: a NaN or an infinity is never written, and the message names its column and row.
+  /// Throws std::invalid_argument if lengths differ, if a name is empty, malformed or used twice, if units are missing,
+  /// or if a value is not finite; the message then gives column and row.
   void check() const;
 };
 
-/// One number that sums up a run, such as the peak of the shear stress. A value that does not exist is left out.
+/// One number that summarizes a run, such as the peak of the shear stress. A metric without a value is left out.
 struct Metric {
-  std::string name;       ///< as for columns
+  std::string name;       ///< letters as for columns
   double value = 0.0;     ///< finite
   std::string units;      ///< SI; "1" if dimensionless
-  std::string long_name;  ///< for people
+  std::string long_name;  ///< name for readers
 };
 
 /// True if `name` can name a column, a metric or a profile.
 bool is_valid_name(std::string_view name);
 
-/// Throws std::invalid_argument if a name is malformed or used twice, units are missing or a value is not finite.
+/// Throws std::invalid_argument if a name is malformed or used twice, if units are missing, or if a value is not
+/// finite.
 void check_metrics(std::span<const Metric> metrics);
 
 }  // namespace flowslide

@@ -9,16 +9,16 @@
 
 namespace flowslide {
 
-/// Writes a series as the new group `name`: one dataset per column, attributes units, long_name, symbol and (unless
-/// empty) sign_convention; the axis is a dimension scale attached to each column.
-/// Throws std::invalid_argument if Series::check does.
+/// Writes a series as the new group `name`, one dataset of shape (rows) per column. Attributes: units, long_name,
+/// symbol, and sign_convention unless it is empty. The axis is a dimension scale attached to each column. Throws
+/// std::invalid_argument as Series::check.
 void write_series(hdf5::Group& parent, const std::string& name, const Series& series);
 
-/// Reads it back, columns in their order. Throws CorruptFileError if it is not one.
+/// Reads a series back, columns in their order. Throws CorruptFileError if the group is not a valid series.
 Series read_series(const hdf5::Group& parent, const std::string& name);
 
-/// Writes metrics as the new group `name`: one scalar each, attributes units and long_name.
-/// Throws std::invalid_argument if check_metrics does.
+/// Writes metrics as the new group `name`, one scalar dataset each with the attributes units and long_name. Throws
+/// std::invalid_argument as check_metrics.
 void write_metrics(hdf5::Group& parent, const std::string& name, std::span<const Metric> metrics);
 std::vector<Metric> read_metrics(const hdf5::Group& parent, const std::string& name);
 

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files say byte_order=\"LittleEndian\"");
 
-/// VTK's inline binary form: the number of bytes (UInt64), then the values, all in base64.
+/// A data array in VTK's inline binary format: the number of bytes (UInt64), then the values, all in base64.
 template <typename T>
 std::string array(const std::string& name, int components, const std::vector<T>& values) {
   const char* type = std::is_same_v<T, float> ? "Float32" : std::is_same_v<T, std::int64_t> ? "Int64" : "UInt8";
@@ -48,7 +48,7 @@ std::vector<std::int64_t> counted(std::size_t n, std::int64_t first, std::int64_
   return result;
 }
 
-/// One piece of PolyData: `cells` is "Verts" or "Lines", each cell holding `per_cell` consecutive points.
+/// One piece of PolyData. `cells` is "Verts" or "Lines"; each cell has `per_cell` consecutive points.
 std::string poly_data(const std::vector<Vector3>& points, const std::string& cells, std::int64_t per_cell,
                       const std::string& point_data) {
   const std::size_t n = points.size() / static_cast<std::size_t>(per_cell);
@@ -77,7 +77,7 @@ std::string escaped(const std::string& text) {
 
 Vector3 folded(const Cell& cell, Vector3 position) {
   const Vector3 length = cell.lengths();
-  for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
+  for (int axis = 2; axis >= 0; --axis) {  // z first, because in a sheared cell folding along z changes x
     if (!cell.periodic[static_cast<std::size_t>(axis)]) continue;
     const double periods = std::floor((position[axis] - cell.lower[axis]) / length[axis]);
     position[axis] -= length[axis] * periods;

@@ -10,15 +10,16 @@
 
 namespace flowslide {
 
-/// `position` (m) moved by whole cell lengths into the cell, along its periodic axes.
+/// `position` (m), moved into the cell by whole periods along its periodic axes.
 Vector3 folded(const Cell& cell, Vector3 position);
 
-/// The twelve edges of the cell, shape (12, 2) points, m: along x, then y, then z, each from lower to upper.
+/// End points of the twelve edges of the cell, shape (12, 2) points, m: edges along x, then y, then z, each from the
+/// lower to the upper end.
 std::vector<Vector3> cell_edges(const Cell& cell);
 
-/// Writes the grains as VTK PolyData (.vtp), one point each, for ParaView ("Point Gaussian", or Glyph: sphere scaled by
-/// `diameter`): arrays radius, diameter (m), velocity (m/s), spin (rad/s), role (0 mobile, 1 bottom, 2 top layer), in
-/// single precision, positions folded into the periodic cell. Writes whole or not at all.
+/// Writes the grains as VTK PolyData (.vtp) for ParaView, whole or not at all; show them as "Point Gaussian", or as
+/// Glyph: sphere scaled by `diameter`. One point per grain, folded into the periodic cell, in single precision. Arrays:
+/// radius, diameter (m), velocity (m/s), spin (rad/s), role (0 mobile, 1 bottom layer, 2 top layer).
 void write_grains(const std::filesystem::path& path, const Assembly& assembly);
 
 /// Writes the twelve edges of the cell as VTK PolyData (.vtp).
@@ -28,10 +29,11 @@ void write_cell(const std::filesystem::path& path, const Cell& cell);
 struct Frame {
   double time = 0.0;   ///< s
   std::string file;    ///< relative to the collection
-  int part = 0;        ///< 0 grains, 1 cell: frames of one time
+  int part = 0;        ///< distinguishes frames of one time: 0 grains, 1 cell
 };
 
-/// Writes a ParaView collection (.pvd) of `frames`, whole or not at all.
+/// Writes a ParaView collection (.pvd) of `frames`, whole or not at all. Throws std::invalid_argument for a time that
+/// is not finite.
 void write_collection(const std::filesystem::path& path, std::span<const Frame> frames);
 
 }  // namespace flowslide
