@@ -12,8 +12,8 @@ class MpiSession {
     int initialized = 0;
     MPI_Initialized(&initialized);
     if (initialized) return;
-    // A program without mpirun starts Open MPI's daemon, which looks for ssh in PATH and gives up where there is none,
-    // although it will never start anything on another machine.
+    // Without mpirun, MPI_Init starts Open MPI's daemon. The daemon fails if there is no ssh in PATH, although it never
+    // starts a process on another machine. "isolated" avoids the search for ssh.
     ::setenv("OMPI_MCA_plm", "isolated", 0);
     MPI_Init(nullptr, nullptr);
     MPI_Comm_dup(MPI_COMM_WORLD, &at_end_);
@@ -36,8 +36,8 @@ const MpiSession& session() {
   return the_session;
 }
 
-/// Whether other processes may belong to this one: a launcher such as mpirun has started it, or its host has started MPI.
-/// A process alone starts MPI, which takes a third of a second, only when LIGGGHTS needs it.
+/// Whether there may be other ranks: a launcher such as mpirun has started this process, or the caller has started MPI.
+/// Otherwise MPI is started only when LIGGGHTS needs it, because the start takes a third of a second.
 bool may_have_ranks() {
   static const bool launched = std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
   int initialized = 0;

@@ -19,7 +19,7 @@ void check_steps(std::int64_t done, std::int64_t total) {
     throw std::invalid_argument(fmt::format("progress of {} steps of {}: needs 0 <= done <= total", done, total));
 }
 
-/// Cut to `columns` code points.
+/// The first `columns` code points of a UTF-8 text.
 std::string_view cut(std::string_view text, int columns) {
   int seen = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -115,7 +115,7 @@ void Progress::finish(std::string_view text) {
 }
 
 std::string Progress::line(std::string_view text) const {
-  // Rounded down: 100 % is said only when all is done.
+  // Rounded down: 100 % appears only when all steps are done.
   const double share = total_ > 0 ? static_cast<double>(done_) / static_cast<double>(total_) : 1.0;
   const double speed = static_cast<double>(done_ - first_) / elapsed().count();
   std::string line = fmt::format("{}: {:3.0f} %", label_, std::floor(100.0 * share));

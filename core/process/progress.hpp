@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How far a run has come, on stderr.
+// Progress of a run, on stderr.
 #pragma once
 
 #include <chrono>
@@ -11,44 +11,45 @@
 
 namespace flowslide {
 
-/// Where and how progress is shown.
+/// Place and form of the progress messages.
 struct ProgressStyle {
-  bool silent = false;    ///< nothing at all is written
-  int rank = 0;           ///< MPI rank; any but 0 is silent
-  bool terminal = false;  ///< one rewritten line; else a line every `line_interval`
+  bool silent = false;    ///< true: writes nothing
+  int rank = 0;           ///< MPI rank; all ranks except 0 are silent
+  bool terminal = false;  ///< true: one rewritten line; false: a new line every `line_interval`
   int columns = 80;       ///< width of the terminal
   std::chrono::milliseconds rewrite_interval{200};
   std::chrono::seconds line_interval{30};
-  std::ostream* stream = nullptr;  ///< nullptr: stderr
+  std::ostream* stream = nullptr;  ///< nullptr means stderr
   std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
 
-  /// The style that suits stderr as it is now.
+  /// The style for stderr: a terminal with its width, or a file.
   static ProgressStyle of_stderr(int rank = 0, bool silent = false);
   /// Writes a line at once, unless silent.
   void say(std::string_view line) const;
 };
 
-/// "fig03 loosest:  42 %  12.3k steps/s  1 min 05 s left  strain 0.21". Not for use by several threads at once.
+/// A progress line: "fig03 loosest:  42 %  12.3k steps/s  1 min 05 s left  strain 0.21". Not thread-safe.
 class Progress {
  public:
-  /// `total` steps are to be done, `done` of them by an earlier run (they do not count in the speed).
-  /// Precondition: 0 <= done <= total, else std::invalid_argument.
+  /// `total` is the number of all steps. An earlier run has done `done` of them; they do not count in the speed. Throws
+  /// std::invalid_argument unless 0 <= done <= total.
   Progress(std::string label, std::int64_t total, ProgressStyle style = ProgressStyle::of_stderr(),
            std::int64_t done = 0);
-  /// Ends the line on a terminal, whatever happened.
+  /// Ends the line on a terminal if it is still open.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Whether an update would be written now: texts and totals that cost something are made only then.
+  /// Whether `update` would write now. Callers compute costly texts and totals only then.
   bool due() const;
-  /// Says that `done` steps of the total are done. Cheap: most calls only read the clock.
+  /// Reports that `done` of all steps are done. Cheap: most calls only read the clock. Throws std::invalid_argument
+  /// unless 0 <= done <= total.
   void update(std::int64_t done, std::string_view text = {});
-  /// Changes the number of steps in all, when it turns out to be another.
+  /// Changes the number of all steps. Throws std::invalid_argument if fewer are to be done than are done.
   void set_total(std::int64_t total);
-  /// Writes a line of its own without disturbing the rewritten one.
+  /// Writes a separate line above the rewritten line.
   void message(std::string_view line);
-  /// Writes the last state and the time that it took. Later calls do nothing.
+  /// Writes the last state and the elapsed time. Later calls do nothing.
   void finish(std::string_view text = {});
 
  private:

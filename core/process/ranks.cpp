@@ -14,11 +14,12 @@
 namespace flowslide {
 namespace {
 
-/// How long a rank that has failed waits for the others to end, too: they do at once if they met the same failure.
+/// Time for which a failed rank waits for the end of the others. Ranks with the same failure end at once.
 constexpr std::chrono::seconds patience{10};
 constexpr std::chrono::milliseconds time_between_looks{5};
 
-/// Codes in the order of what is told to all: failures, by their rank, before claims that are not met, before success.
+/// A number whose minimum over the ranks selects the common code: failures come first, ordered by rank, then claims
+/// that are not met, then success. Its lowest 8 bits are the code.
 std::int64_t ordered(int code, int rank) {
   const std::int64_t kind = code == to_int(ExitCode::ok) ? 2 : code == to_int(ExitCode::claim_not_met) ? 1 : 0;
   return (kind << 40) + (std::int64_t{rank} << 8) + code;

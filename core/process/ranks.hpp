@@ -4,16 +4,16 @@
 
 namespace flowslide {
 
-/// Runs `action` on the first MPI rank while the others wait; for everything that touches files. What it throws, the
-/// first rank throws on, and the others FirstRankFailed.
+/// Runs `action` on the first MPI rank while the others wait; used for all access to files. If `action` throws, the
+/// first rank rethrows its exception, and the others throw FirstRankFailed.
 void on_first_rank(const std::function<void()>& action);
 
-/// What the first rank says, on all ranks.
+/// Returns the value of the first rank on all ranks.
 bool same_on_all_ranks(bool value);
 
-/// The exit code of the program, the same on all ranks: that of the first rank that failed, else that of a rank whose
-/// claims are not met, else 0. Every rank calls it last. A rank that has failed alone does not wait for ever for others
-/// that wait for it: it ends all of them with its code.
+/// The exit code of the program, the same on all ranks: that of the first rank that failed, otherwise that of a rank
+/// whose claims are not met, otherwise 0. Every rank calls this function last. If a rank fails alone, the others may
+/// wait for it forever: after 10 s it ends all ranks with its code.
 int same_exit_code(int code);
 
 }  // namespace flowslide

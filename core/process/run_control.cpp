@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::array stop_signals{SIGTERM, SIGUSR1, SIGINT};
 
-/// Of the time given: for what is between a border and the end of the program besides checkpoints.
-constexpr double walltime_share = 0.05, longest_reserve = 5.0;  // 1, s
+/// Reserve between the last checkpoint opportunity and the end of the program, besides exchange and checkpoints: a
+/// fraction of the wall time limit, and its upper bound (s).
+constexpr double walltime_share = 0.05, longest_reserve = 5.0;
 
 volatile sig_atomic_t received_reason = 0;
 int users = 0;
@@ -59,7 +60,7 @@ double RunControl::since_start() const { return std::chrono::duration<double>(no
 
 RunControl::Due RunControl::border() {
   const double now = since_start();
-  // The first exchange after a checkpoint includes it; what is measured there is the checkpoint's.
+  // The first interval after a checkpoint includes its writing, which longest_write_ already counts.
   if (!kept_since_border_) longest_exchange_ = std::max(longest_exchange_, now - last_border_);
   kept_since_border_ = false;
   last_border_ = now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// When a run is to keep where it stands, and when it is to stop.
+// When a run writes a checkpoint, and when it stops. A border is a checkpoint opportunity between two exchanges.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -8,45 +8,47 @@
 
 namespace flowslide {
 
-/// What asks a run to stop, the more urgent the later.
+/// Reasons to stop a run, in order of urgency.
 enum class StopReason { none, walltime, terminate, interrupt };
 
-/// While one lives, SIGTERM, SIGUSR1 (what a batch system sends before it) and SIGINT are noted instead of ending the
-/// program. A second SIGINT ends it at once, with exit code 130.
+/// While an object of this class exists, SIGTERM, SIGUSR1 and SIGINT are recorded instead of ending the program. Batch
+/// systems send SIGUSR1 before SIGTERM. A second SIGINT ends the program at once, with exit code 130.
 class StopSignals {
  public:
   StopSignals();
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
-  /// What has come since the first was made.
+  /// The most urgent signal since the first object was made.
   static StopReason received();
 };
 
-/// How a run lives with the machine that it is on.
+/// Limits in wall time.
 struct RunLimits {
-  double checkpoint_interval = 180.0;                            ///< s between checkpoints
-  double walltime = std::numeric_limits<double>::infinity();     ///< s from the start of the program
+  double checkpoint_interval = 180.0;                            ///< time between checkpoints, s
+  double walltime = std::numeric_limits<double>::infinity();     ///< limit from the start of the RunControl, s
 };
 
-/// Decides at each border between exchanges, and is the same on all MPI ranks: a signal to one counts for all.
+/// Decides at each checkpoint opportunity whether the run writes a checkpoint or stops. All MPI ranks decide the same:
+/// a signal to one rank counts for all.
 class RunControl {
  public:
   using Clock = std::function<std::chrono::steady_clock::time_point()>;
   explicit RunControl(const RunLimits& limits, Clock now = std::chrono::steady_clock::now);
 
   enum class Due { nothing, checkpoint, stop };
-  /// What is due now. Collective. The time given is over as soon as another exchange as long as the longest so far, and
-  /// two checkpoints, might not end within it.
+  /// Call at each checkpoint opportunity; returns what is due. Collective. Stops early: when the remaining wall time is
+  /// less than the longest exchange so far plus two checkpoint writes and a reserve of at most 5 s.
   Due border();
-  /// A checkpoint has been written since the last border, or nothing is to be: the interval begins anew.
+  /// Call after a checkpoint was written, or if none is to be written. The checkpoint interval starts again.
   void kept();
-  /// A border within the preparation of a sample: calls `keep` when a checkpoint or a stop is due, and throws Stopped
-  /// if the run is to stop. `keep` says whether the preparation can go on from there; it has no other way.
+  /// The same at a checkpoint opportunity within the preparation of a sample. Calls `keep` if a checkpoint or a stop is
+  /// due, and throws Stopped if the run is to stop. `keep` returns whether it wrote a checkpoint to continue from.
   void border_of_preparation(const std::function<bool()>& keep);
-  /// Why border() said stop.
+  /// Why border() returned Due::stop.
   StopReason reason() const { return reason_; }
-  /// Throws Stopped: 130 after an interrupt, else 75. `what` is a clause: "fig12 RD_3kPa: the same command goes on".
+  /// Throws Stopped, with exit code 130 after an interrupt and 75 otherwise. `what` is a clause of its message: "fig12
+  /// RD_3kPa: the same command goes on".
   [[noreturn]] void stop(const std::string& what) const;
 
  private:
