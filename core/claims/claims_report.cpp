@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Verdicts as text: for a terminal, for README and for programs.
+// Verdicts as text for a terminal, for README and for programs.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@
 namespace flowslide {
 namespace {
 
-/// A cell of a Markdown table: no bar ends it early, no line break ends the row.
+/// A cell of a Markdown table: escapes bars and replaces line breaks by blanks.
 std::string markdown_cell(std::string_view text) {
   std::string cell;
   for (const char c : text) {
@@ -49,7 +49,7 @@ std::string terminal_table(const std::vector<Verdict>& verdicts) {
     text += line + '\n';
     if (i == 0 || verdicts[i - 1].ruling == Ruling::met) continue;
     const Verdict& verdict = verdicts[i - 1];
-    const bool said = i > 1 && verdict.reason == verdicts[i - 2].reason;  // once for all that share it
+    const bool said = i > 1 && verdict.reason == verdicts[i - 2].reason;  // print a common reason once
     text += fmt::format("         {}({})\n", said ? "" : verdict.reason + " ", verdict.claim.sentence);
   }
   return text;
