@@ -83,7 +83,7 @@ std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::str
 bool is_one_not_met(const std::vector<Verdict>& verdicts);
 
 /// Table for a terminal, with aligned columns: `met`, `NOT MET` or `not evaluated`; figure; claim; expected; measured.
-/// Below each claim that is not met: the reason and the statement of the paper.
+/// Below each claim that is not met or not evaluated: the reason and the statement of the paper.
 std::string terminal_table(const std::vector<Verdict>& verdicts);
 /// Table for README: figure, statement of the paper, expected, measured, verdict, origin of the tolerance.
 std::string markdown_table(const std::vector<Verdict>& verdicts);

@@ -35,7 +35,7 @@ BegunPoint begin_point(const OutputFolder& output, const std::string& point, con
     refuse(fmt::format("the checkpoint of {} in {} is", point, output.path().string()),
            identity.difference_from(RunIdentity::from_text(noted)));
   } else if (other_was_begun) {
-    output.remove_point(point);  // tables of a run that left nothing to go on from
+    output.remove_point(point);  // tables of another run, which left no checkpoint
   }
   output.note(point, identity.text());
   return {std::move(lock), false};

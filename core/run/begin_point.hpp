@@ -7,15 +7,15 @@
 
 namespace flowslide {
 
-/// A point that this process alone may work on.
+/// A run of a case ("point") that is locked for this process.
 struct BegunPoint {
-  FileLock lock;  ///< to be held until the point is over
-  bool complete;  ///< its result is there, of this run: nothing is left to do
+  FileLock lock;  ///< to be held until the run ends
+  bool complete;  ///< the result of this run exists: nothing is left to do
 };
 
-/// Takes the lock of a point and notes the identity that it is begun with. Throws Refused if another process
-/// holds the lock, or if there is a result or a checkpoint of another run, and CorruptFileError if the result is
-/// damaged. With `afresh`, checkpoints and such a result are removed instead; a complete result of this run is kept.
+/// Locks the run `point` of a case and records its identity. Throws Refused if another process holds the lock, or if a
+/// result or a checkpoint has another identity. Throws CorruptFileError if the result is damaged. With `afresh`,
+/// checkpoints and such results are removed instead; a complete result of this identity is kept.
 BegunPoint begin_point(const OutputFolder& output, const std::string& point, const RunIdentity& identity, bool afresh);
 
 }  // namespace flowslide

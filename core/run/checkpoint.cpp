@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char *part = "checkpoint", *complete_profiles = "complete_profiles", *measured = "measured";
 
-/// Calls `visit(name, member)` for each number of a state; the one list that writing and reading share.
+/// Calls `visit(name, member)` for each number of a state. Writing and reading share this list.
 template <typename State, typename Visit>
 void for_each_number(State& state, Visit&& visit) {
   visit("exchanges", state.exchanges);
@@ -84,7 +84,7 @@ std::vector<ProfileSums> read_profiles(const hdf5::Group& parent) {
   return profiles;
 }
 
-/// Calls `visit(name, windows)` for the windows of a record.
+/// Calls `visit(name, windows)` for each kind of windows of a record.
 template <typename Record, typename Visit>
 void for_each_window(Record& record, Visit&& visit) {
   visit("over_time", record.over_time);

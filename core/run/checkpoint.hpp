@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where a point stands between two exchanges: all that it goes on from, bit for bit.
+// The state of a run between two exchanges. A run that restores this state continues bit for bit.
 #pragma once
 #include <optional>
 #include <vector>
@@ -11,41 +11,41 @@
 
 namespace flowslide {
 
-/// What a slide has besides its sample and its rows.
+/// State of a slide, except its sample and its rows.
 struct SlideCheckpoint {
   SlideState state;
-  RowSpacing spacing;                  ///< of the rows, as it is now
-  double next_time = 0.0;              ///< see SlideRecord
-  double next_strain = 0.0;
-  std::vector<ProfileSums> profiles;   ///< begun and complete
-  Series complete_profiles = {};       ///< as at the end of a run, for who looks on; without columns if there are none
-  ExchangeRecord exchanges{};          ///< what metrics are made of, so far
+  RowSpacing spacing;                  ///< present spacing of the rows
+  double next_time = 0.0;              ///< s, see SlideRecord
+  double next_strain = 0.0;            ///< see SlideRecord
+  std::vector<ProfileSums> profiles;   ///< complete and incomplete
+  Series complete_profiles = {};       ///< as at the end of the run, for preliminary plots; no columns if there are none
+  ExchangeRecord exchanges{};          ///< sums from which metrics are computed
 };
 
-/// Grains at a moment, for a picture.
+/// Grains at one time, for a picture.
 struct Shot {
   double time = 0.0;    ///< s
   double strain = 0.0;  ///< gamma
   Assembly assembly;
 };
 
-/// There are no random streams to keep: after its preparation nothing in a run is drawn.
+/// State of a run. It contains no random generator: after the preparation a run uses no random numbers.
 struct Checkpoint {
-  Result so_far;                         ///< rows, and what determines them: a result that is not complete
-  double share_done = 0.0;               ///< about, 0 to 1
+  Result so_far;                         ///< incomplete result: the rows up to now and what determines them
+  double share_done = 0.0;               ///< estimated fraction of the run that is done, 0 to 1
   SampleState sample;
-  std::optional<SlideCheckpoint> slide;  ///< of a slide; an element test stands at the last of its rows
+  std::optional<SlideCheckpoint> slide;  ///< empty for an element test, whose state is that of its last row
   std::vector<Shot> shots;
-  Series measured = {};  ///< of an element test, see ShearTestRecord; else without columns
+  Series measured = {};  ///< of an element test, see ShearTestRecord; otherwise without columns
 };
 
-/// Writes it below `root`: as write_result does, so that what reads results reads the rows so far as well, and
-/// /checkpoint with the rest: sample/numbers, sample/grains (see write_assembly), slide, profiles, exchanges, shots,
-/// measured.
-/// Throws std::invalid_argument as write_result.
+/// Writes a checkpoint below `root`. The incomplete result is written as by write_result, so that readers of results
+/// can read it. The group /checkpoint holds the rest: sample/numbers, sample/grains (see write_assembly), slide with
+/// profiles and exchanges, shots, measured. Throws std::invalid_argument as write_result.
 void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint);
 
-/// Reads it back, bit for bit. Throws CorruptFileError if it is not, whole and with finite grains, what was written.
+/// Reads a checkpoint back, bit for bit. Throws CorruptFileError if it is incomplete, or if a number or grain is not
+/// finite.
 Checkpoint read_checkpoint(const hdf5::Group& root);
 
 }  // namespace flowslide

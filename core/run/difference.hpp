@@ -5,8 +5,8 @@
 
 namespace flowslide {
 
-/// How two resolved configurations differ, for a message: "size = 0.002 there, 0.003 now; count is only there", in the
-/// order of the keys, at most `most` of them and how many more. Empty if they do not.
+/// Differences of two texts of lines "key = value", for a message: "size = 0.002 there, 0.003 now; count = 2 is only
+/// there". Sorted by key; lists at most `most` keys and the number of further ones. Empty if there is no difference.
 std::string difference_of(std::string_view there, std::string_view now, int most = 5);
 
 }  // namespace flowslide

@@ -6,13 +6,13 @@
 
 namespace flowslide {
 
-/// Labels of the curves of a figure, for plots/style.gp: the table legend.dat, a line "point<TAB>label" for each.
+/// Labels of the curves of a figure, for plots/style.gp: the table legend.dat with a line "point<TAB>label" per curve.
 class Legend {
  public:
-  /// `label` may hold gnuplot's mark-up.
+  /// `label` may contain gnuplot's markup.
   void add(const std::string& point, const std::string& label) { text_ += point + "\t" + label + "\n"; }
 
-  /// Without labels the table has its head alone: each curve has the name of its point.
+  /// Writes legend.dat. Without labels it has only its header, and each curve has the name of its run.
   void write(const OutputFolder& output) const;
 
  private:

@@ -39,7 +39,7 @@ std::string read_line(const fs::path& file) {
   return line;
 }
 
-/// The case that a folder is marked with; empty when it has no mark.
+/// The name of the case in the mark of a folder; empty without a mark.
 std::string marked_case(const fs::path& path) { return read_line(path / mark_folder / case_file); }
 
 void check_is_folder(const fs::path& path) {
@@ -72,7 +72,8 @@ fs::path note_of(const fs::path& folder, const std::string& point) {
   return folder / mark_folder / (point + ".identity");
 }
 
-/// What write_atomically leaves when its process is killed. The lock of the point is held: nobody writes it now.
+/// Removes the files that write_atomically leaves when its process is killed. The lock of the run is held, so no other
+/// process writes them now.
 void remove_half_written(const fs::path& folder, const std::string& point) {
   std::error_code failure;
   std::vector<fs::path> left;
@@ -95,7 +96,7 @@ OutputFolder OutputFolder::open(const fs::path& path, const std::string& case_na
   }
   fs::create_directories(path / mark_folder, failure);
   if (failure) refuse(path, fmt::format("cannot be written: {}", failure.message()));
-  if (!marked_case(path).empty()) {  // to be told before a run, not after it
+  if (!marked_case(path).empty()) {  // report a read-only folder before the run, not after it
     if (::access((path / mark_folder).c_str(), W_OK) != 0)
       refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
     return OutputFolder(path);
@@ -147,7 +148,7 @@ FileLock OutputFolder::lock_point(const std::string& point) const {
   if (point.empty() || !std::all_of(point.begin(), point.end(), allowed))
     throw std::invalid_argument(fmt::format("\"{}\" is no name of a point", point));
   std::optional<FileLock> lock;
-  for (int tries = 0; tries < 10 && !lock; ++tries) {  // who asks for the status holds it for a moment
+  for (int tries = 0; tries < 10 && !lock; ++tries) {  // a process that reads the status holds the lock briefly
     if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     lock = FileLock::try_lock(lock_path(point));
   }

@@ -11,25 +11,26 @@
 
 namespace flowslide {
 
-/// Keeps where one point stands while it runs, and lets it go on from there. All calls but end() are collective over
-/// the MPI ranks.
+/// Writes the checkpoints of one run ("point") and reads them when the run continues. All calls are collective over the
+/// MPI ranks.
 class PointCheckpoints {
  public:
-  /// Reads what there is to go on from; damaged files are told on stderr and the one before is used. Throws
-  /// Refused, with the difference, if it is of another run, and CorruptFileError if there are checkpoints
-  /// and none can be used.
+  /// Reads the newest checkpoint. Damaged files are reported on stderr, and the one before is used. Throws Refused,
+  /// with the difference, if the checkpoint has another identity. Throws CorruptFileError if there are checkpoints but
+  /// none can be used.
   PointCheckpoints(CheckpointStore store, RunControl& control, const RunIdentity& identity);
 
-  /// What to go on from; empty at the beginning.
+  /// The checkpoint to continue from; empty if there is none.
   const std::optional<Checkpoint>& found() const { return found_; }
 
-  /// At each border between exchanges: keeps what `now` says if that is due, and throws Stopped if the run is to stop.
-  /// A checkpoint that cannot be written (a full disk) is told on stderr, and the run goes on; if it is to stop, that
-  /// is a FileError.
+  /// Call at each checkpoint opportunity between two exchanges. Writes the checkpoint that `now` returns if it is due,
+  /// and throws Stopped if the run is to stop. If the checkpoint cannot be written (a full disk), a run that continues
+  /// reports this on stderr, and a run that stops throws FileError.
   void border(const std::function<Checkpoint()>& now);
   /// The same while a sample is prepared, see RunControl.
   void border_of_preparation(const std::function<bool()>& keep) { control_.border_of_preparation(keep); }
-  /// Keeps the end of a run, before anything is computed of it: whatever then happens, the same command has the run.
+  /// Writes the state at the end of a run, before results are computed from it. If that fails, the same command
+  /// continues from this state.
   void keep_end(const Checkpoint& end) { keep(end, false); }
 
  private:
@@ -41,7 +42,7 @@ class PointCheckpoints {
   std::optional<Checkpoint> found_;
 };
 
-/// Where a checkpoint stands, for people: "t = 0.52 s, v = 1.2 m/s, sigma = 340 Pa".
+/// State of a checkpoint in one line: "t = 0.52 s, v = 1.2 m/s, sigma = 340 Pa".
 std::string place_of(const Checkpoint& checkpoint);
 
 }  // namespace flowslide

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one answer to "is this the same run?": for skipping a point, checking, resuming, collecting and its status.
+// The identity of a run. Skipping, checking, resuming, collecting and the status all compare it.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,31 +9,31 @@
 
 namespace flowslide {
 
-/// What decides a run besides its configuration.
+/// Inputs of a run besides its configuration.
 struct RunInputs {
-  std::string engine = {};              ///< its name, or that of a closed-form sample; empty: none
-  std::string preparation_engine = {};  ///< the name of the engine that prepares its sample; empty: no grains
-  std::vector<InputTable> tables = {};  ///< that the run reads from files
+  std::string engine = {};              ///< name of the engine or of the closed-form sample; empty: none
+  std::string preparation_engine = {};  ///< name of the engine that prepares the sample; empty: no grains
+  std::vector<InputTable> tables = {};  ///< tables that the run reads from files
 };
 
-/// Versions of the sources that a run is computed by; empty where the run has none.
+/// Versions of the sources that compute a run; empty where the run does not use them.
 struct RunVersions {
-  std::string engine = {};       ///< of the engine or the closed-form sample
-  std::string preparation = {};  ///< of what makes a sample from its recipe
-  std::string search = {};       ///< of the search for a void ratio
+  std::string engine = {};       ///< version of the engine or of the closed-form sample
+  std::string preparation = {};  ///< version of the preparation of samples
+  std::string search = {};       ///< version of the search for a void ratio
 };
 
-/// All that went into one run: its case, its point, the resolved configuration, the contents of its input files, the
-/// sources and the precision of its engine, and of what prepared its sample. Two runs of one identity have the same
-/// result.
+/// All that determines one run: its case, its name in the case ("point"), the resolved configuration, the contents of
+/// its input files, the sources and the precision of its engine, and those of the preparation of its sample. Two runs
+/// of one identity have the same result.
 class RunIdentity {
  public:
-  /// Throws std::invalid_argument if the inputs name an engine whose version is not given.
+  /// Throws std::invalid_argument if an engine has no version, or a version has no engine.
   RunIdentity(const std::string& case_name, const std::string& point, RunInputs inputs, std::string configuration,
               const RunVersions& versions = {});
-  /// That of the run which made a result, complete or not.
+  /// The identity of the run that made a result, complete or not.
   explicit RunIdentity(const Result& made);
-  /// The one whose text() this is; its tables are left out.
+  /// The identity with this text(); without its tables.
   static RunIdentity from_text(const std::string& text);
 
   /// Lines "name = value".
@@ -42,7 +42,7 @@ class RunIdentity {
   const RunInputs& inputs() const { return inputs_; }
 
   bool operator==(const RunIdentity& other) const { return text() == other.text(); }
-  /// How `there` differs from this, for a message: "slope.angle = 0.1 there, 0.2 now; ...". Empty if it does not.
+  /// Differences between `there` and this, for a message: "slope.angle = 0.1 there, 0.2 now; ...". Empty if equal.
   std::string difference_from(const RunIdentity& there) const;
 
   /// Writes the identity and the input tables into a result.
@@ -52,24 +52,24 @@ class RunIdentity {
   RunIdentity() = default;
 
   RunInputs inputs_;
-  std::string beyond_;         ///< all but the configuration; its names hold a blank, which no key does
-  std::string configuration_;  ///< resolved
+  std::string beyond_;         ///< all except the configuration; its names contain a blank, which no key does
+  std::string configuration_;  ///< resolved configuration
 };
 
-/// What a result file is to a run.
+/// State of a result file with respect to a run.
 enum class Standing {
   absent,
-  damaged,  ///< not, whole and unaltered, what this program wrote
-  other,    ///< of another run
-  complete  ///< of this run
+  damaged,  ///< truncated, altered or not of this program
+  other,    ///< result of another identity
+  complete  ///< result of this identity
 };
 struct FoundResult {
   Standing standing = Standing::absent;
-  std::string problem;  ///< what is damaged, or how the other run differs
+  std::string problem;  ///< the damage, or the difference of the other identity
 };
 FoundResult find_result(const std::filesystem::path& file, const RunIdentity& identity);
 
-/// For messages about what cannot be gone on with.
+/// End of messages about files of another run.
 inline constexpr const char* begin_anew =
     "give the options that it was made with, begin the point anew with --afresh, which deletes it, or choose another "
     "folder with --output";

@@ -26,7 +26,7 @@ std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std:
   return last;
 }
 
-/// Why neither the result nor the checkpoint can be shown; empty if one can, or if there is none.
+/// The reason why neither result nor checkpoint is usable; empty if one is usable or if both are absent.
 std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>& last, const RunIdentity& identity) {
   if (found.standing == Standing::damaged) return found.problem;
   std::string difference = found.problem;
@@ -34,13 +34,13 @@ std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>
   return difference.empty() ? "" : "of another run: " + difference;
 }
 
-/// False if the point has written nothing of this run that can be drawn.
+/// Copies the files of one run. Returns false if it has neither a usable result nor a usable checkpoint.
 bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std::string& point,
                 const RunIdentity& identity, std::string& said) {
   copy.remove_point(point);
   const FoundResult found = find_result(output.file(point + OutputFolder::result_end), identity);
   if (found.standing == Standing::complete) {
-    // The result last: a point is complete with it.
+    // Copies the result last, because the result marks a complete run.
     for (auto end = OutputFolder::point_ends.rbegin(); end != OutputFolder::point_ends.rend(); ++end)
       if (fs::exists(output.file(point + *end)))
         fs::copy(output.file(point + *end), copy.file(point + *end), fs::copy_options::recursive);

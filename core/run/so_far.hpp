@@ -8,10 +8,10 @@
 
 namespace flowslide {
 
-/// Copies the files of the complete points of `output` to `copy` and writes, for those that have a checkpoint, the same
-/// tables and result as far as it goes; runs may go on meanwhile. What is there from an earlier call is replaced.
-/// Points come with the identity of the run that is asked for: a result or checkpoint of another run is left out.
-/// Returns a line for each point: how far it is. Throws Refused if there is nothing yet.
+/// Makes preliminary results: copies the files of the complete runs of `output` to `copy`, and writes the tables and
+/// results of runs that have a checkpoint, up to this checkpoint. Replaces files of an earlier call. The runs may
+/// continue meanwhile. `points` gives the required identity of each run; a result or checkpoint of another identity is
+/// left out. Returns a line with the progress of each run. Throws Refused if no run has a result or a checkpoint yet.
 std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
                         const std::map<std::string, RunIdentity>& points);
 

@@ -17,7 +17,7 @@
 namespace flowslide {
 namespace {
 
-/// With 1/`per_unit` as the last digit that is told.
+/// `value` rounded to a multiple of 1/`per_unit`.
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
 void read_last_checkpoint(const CheckpointStore& store, const RunIdentity& identity, PointStatus& status) {

@@ -8,21 +8,22 @@
 
 namespace flowslide {
 
-/// How far a point of an output folder has come.
+/// Status of a run in an output folder.
 struct PointStatus {
-  std::string point;
-  std::string state;        ///< complete, damaged, outdated (a result or a checkpoint of another run), running, stopped
-                            ///< (with a checkpoint), begun (without) or not begun
-  std::string place;        ///< for people: where its last checkpoint stands, or how the other run differs
-  double share_done = 0.0;  ///< about, 0 to 1, at its last checkpoint; 1 if complete
-  double age = 0.0;        ///< of the last checkpoint, s; 0 without one
+  std::string point;        ///< name of the run
+  std::string state;        ///< complete, damaged, outdated (a result or checkpoint of another identity), running,
+                            ///< stopped (with a checkpoint), begun (without one) or not begun
+  std::string place;        ///< state of its last checkpoint in one line, or the difference of the other identity
+  double share_done = 0.0;  ///< estimated fraction done at its last checkpoint, 0 to 1; 1 if complete
+  double age = 0.0;        ///< age of its last checkpoint, s; 0 without one
   std::string sample = {};  ///< health of its sample, see health_line; empty before the first checkpoint
 };
 
-/// Looks, and changes nothing; points may be running. `identity` is that of the run that is asked for.
+/// Reads the status of the run `point` and changes nothing; the run may be running. `identity` is its required
+/// identity.
 PointStatus status_of(const OutputFolder& output, const std::string& point, const RunIdentity& identity);
 
-/// A line for each point under a line of titles, then one for each sample that is known.
+/// A header and a line for each run, then a line for each known sample.
 std::string status_table(const std::vector<PointStatus>& points);
 /// {"points": [{"name": "RD", "state": "running", "share_done": 0.42, "checkpoint_age": 12.0, "place": "...",
 /// "sample": "e0 0.7823 ..."}, ...]}
