@@ -18,7 +18,7 @@ struct SlideCheckpoint {
   double next_time = 0.0;              ///< s, see SlideRecord
   double next_strain = 0.0;            ///< see SlideRecord
   std::vector<ProfileSums> profiles;   ///< complete and incomplete
-  Series complete_profiles = {};       ///< as at the end of the run, for preliminary plots; no columns if there are none
+  Series complete_profiles = {};       ///< as at the end of the run, for preliminary plots; may have no columns
   ExchangeRecord exchanges{};          ///< sums from which metrics are computed
 };
 

@@ -15,7 +15,7 @@ struct SampleRecipe {
   LatticePacking packing;
   Material material;                      ///< of the finished sample (Table 1)
   double normal_stress = 28.34e3;         ///< sigma_0, target of the three normal stresses, Pa
-  double shear_stress = 2.650e3;          ///< tau_0, target of sigma_zx, Pa; 0 prepares an isotropic sample
+  double shear_stress = 2.650e3;          ///< tau_0, target of the shear stress, Pa; 0 prepares an isotropic sample
   double preparation_friction = 0.3;      ///< mu_1 of stages 0 to 3; controls the density
   double preparation_restitution = 0.8;   ///< of stages 1 to 3; a value below the material's gives looser packings
   bool periodic_height = false;           ///< all three axes are periodic from the start and no layer is glued, for

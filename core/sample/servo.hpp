@@ -10,7 +10,7 @@ namespace flowslide {
 /// Target stresses of a servo, Pa, compression positive.
 struct ServoTarget {
   double normal = 0.0;           ///< target of all three normal stresses
-  std::optional<double> shear;   ///< target of sigma_zx, reached by the glued top layer; empty: the top stays in x
+  std::optional<double> shear;   ///< target of tau, reached by the glued top layer; empty: no motion along x
   double rate_limit = 0.05;      ///< largest strain rate of any boundary, 1/s
 };
 
