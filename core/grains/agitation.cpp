@@ -8,7 +8,7 @@
 
 namespace flowslide {
 namespace {
-/// Sets this sequence apart from that of a packing of the same seed. Any number would do.
+/// Makes the random sequence independent of that of a packing with the same seed. The value is arbitrary.
 constexpr std::uint64_t other_sequence = 0x9e3779b97f4a7c15;
 }  // namespace
 

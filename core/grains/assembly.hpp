@@ -10,15 +10,16 @@
 
 namespace flowslide {
 
-/// The rectangular cell that holds the grains. A rigid axis ends at two frictionless planes, at `lower` and `upper`.
+/// The rectangular cell of the grains. A rigid axis ends at two frictionless planes, at `lower` and `upper`.
 struct Cell {
   Vector3 lower = Vector3::Zero();            ///< m
   Vector3 upper = Vector3::Zero();            ///< m
   std::array<bool, 3> periodic{false, false, false};
-  /// Of a cell that is periodic along z and sheared (A. W. Lees and S. F. Edwards, J. Phys. C 5 (1972) 1921-1929): its
-  /// image above lies this much further along x, m, at most half a period, and the image below as much behind.
+  /// For a cell that is periodic along z and sheared (A. W. Lees and S. F. Edwards, J. Phys. C 5 (1972) 1921-1929):
+  /// shift of the image above along x, m, at most half a period either way. The image below is shifted by the opposite
+  /// amount.
   double shear_offset = 0.0;
-  /// By how much the image above is faster along x, m/s: the shear rate times the height.
+  /// Velocity of the image above along x relative to the cell, m/s: the shear rate times the height.
   double shear_velocity = 0.0;
 
   Vector3 lengths() const { return upper - lower; }
@@ -26,36 +27,36 @@ struct Cell {
   /// Area of the horizontal section, m^2.
   double area() const { return lengths().x() * lengths().y(); }
   double height() const { return lengths().z(); }
-  /// `separation` (m) replaced by its nearest periodic image.
+  /// The nearest periodic image of `separation` (m).
   Vector3 nearest_image(Vector3 separation) const;
-  /// Velocity (m/s) of the second of two grains' image that is nearest to the first, relative to the second itself, from
-  /// their `separation` x_first - x_second (m).
+  /// For two grains with `separation` x_first - x_second (m): the velocity (m/s) of the image of the second grain that
+  /// is nearest to the first, relative to the second grain itself.
   Vector3 nearest_image_velocity(const Vector3& separation) const;
 };
 
-/// What moves a grain: Newton's law, or one of the two layers glued to the bottom and the top of the cell.
+/// A grain moves by Newton's law, or with one of the two layers glued to the bottom and the top of the cell.
 enum class Role : std::uint8_t { mobile = 0, bottom_layer = 1, top_layer = 2 };
 
-/// History of one touching pair, for first < second; of `first` relative to `second`.
+/// History of one touching pair, first < second; vectors are those of `first` relative to `second`.
 struct ContactHistory {
   std::uint32_t first = 0, second = 0;        ///< indices into the assembly
   Vector3 tangential_spring = Vector3::Zero();  ///< m
   Vector3 rolling_torque = Vector3::Zero();     ///< N m
-  /// Of the spring and of the torque. Files do not keep them, and no engine reads them: they are for who evaluates the
-  /// forces once more.
+  /// Whether spring and torque are at their caps. Used only by evaluate_contact_forces: files do not store these
+  /// members, and engines do not read them.
   Cap spring_cap = Cap::unknown, torque_cap = Cap::unknown;
 };
 
-/// Everything that determines how the grains go on: the state of a DEM run at the end of a step.
-/// All per-grain arrays have shape (n); the index of a grain never changes during its life.
+/// The full state of a DEM run at the end of a step. All arrays per grain have shape (n). The index of a grain never
+/// changes.
 struct Assembly {
   Cell cell;
   std::vector<double> radius;                 ///< m
   std::vector<Vector3> position;              ///< m
-  std::vector<Vector3> velocity;              ///< m/s, of the full step
-  std::vector<Vector3> spin;                  ///< rad/s, of the full step
-  std::vector<Vector3> force;                 ///< N, total on each grain at the end of the last step
-  std::vector<Vector3> torque;                ///< N m
+  std::vector<Vector3> velocity;              ///< m/s, at the full step
+  std::vector<Vector3> spin;                  ///< rad/s, at the full step
+  std::vector<Vector3> force;                 ///< N, total force on each grain at the end of the last step
+  std::vector<Vector3> torque;                ///< N m, likewise
   std::vector<Role> role;
   std::vector<ContactHistory> contacts;       ///< sorted by (first, second)
 

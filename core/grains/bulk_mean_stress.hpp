@@ -4,9 +4,9 @@
 
 namespace flowslide {
 
-/// p, Pa, compression positive, that an inertial number is built on: of the bulk (see bulk_stress), at least zero as
-/// dashpots may pull for a moment when hardly a contact is left, and of the fluctuating velocities (eq. 14), which keep
-/// it above zero when none is.
+/// Mean stress p for an inertial number, Pa, compression positive: the contact stress of the bulk (see bulk_stress)
+/// plus the kinetic stress (eq. 14). The contact part is at least 0, because dashpots may pull briefly when few
+/// contacts are left. The kinetic part keeps p above 0 when no contact is left.
 double bulk_mean_stress(const Assembly& assembly, const ContactForces& forces, const Material& material);
 
 }  // namespace flowslide

@@ -24,7 +24,7 @@ HalfStep half_step_velocities(const Assembly& assembly, const Material& material
   return half;
 }
 
-/// The stored history of a pair; unloaded springs where there is none.
+/// The stored history of a pair; unloaded springs if there is none.
 ContactHistory history_of(const Assembly& assembly, const TouchingPair& pair) {
   const auto before = [](const ContactHistory& a, const TouchingPair& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);

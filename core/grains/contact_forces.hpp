@@ -15,18 +15,18 @@ struct Contact {
   std::uint32_t first = 0, second = 0;
   double overlap = 0.0;                               ///< m
   Vector3 branch = Vector3::Zero();                   ///< x_first - x_second, nearest image, m
-  Vector3 point_from_first = Vector3::Zero();         ///< contact point less the centre of the first, m
-  Vector3 point_from_second = Vector3::Zero();        ///< contact point less the centre of the second, m
+  Vector3 point_from_first = Vector3::Zero();         ///< contact point minus the centre of the first, m
+  Vector3 point_from_second = Vector3::Zero();        ///< contact point minus the centre of the second, m
   ContactForce force;
 };
 
-/// One mobile grain touching a plane of the cell.
+/// Contact of a mobile grain with a plane of the cell.
 struct PlaneContact {
   std::uint32_t grain = 0;
   int axis = 0;                                       ///< 0, 1, 2 for x, y, z
-  bool upper = false;                                 ///< the plane at cell.upper[axis]
+  bool upper = false;                                 ///< true: the plane at cell.upper[axis]
   double overlap = 0.0;                               ///< m
-  Vector3 point_from_grain = Vector3::Zero();         ///< foot of the centre on the plane less the centre, m
+  Vector3 point_from_grain = Vector3::Zero();         ///< projection of the centre on the plane minus the centre, m
   Vector3 force_on_grain = Vector3::Zero();           ///< N, along the axis
 };
 
@@ -37,7 +37,7 @@ struct PlaneVelocities {
 
 /// All contact forces of an assembly.
 struct ContactForces {
-  std::vector<Contact> contacts;                      ///< sorted by (first, second); no pairs of one glued layer
+  std::vector<Contact> contacts;                      ///< sorted by (first, second), without pairs of one glued layer
   std::vector<PlaneContact> plane_contacts;           ///< sorted by grain
 };
 
@@ -47,22 +47,22 @@ struct GrainForces {
   std::vector<Vector3> torque;                        ///< N m
 };
 
-/// The contact forces at the end of the last step, from the stored histories; a touching pair without history has
-/// unloaded springs. The dashpots see the velocities of the half step, as in the engines' velocity-Verlet scheme,
+/// The contact forces at the end of the last step, from the stored histories. A touching pair without history has
+/// unloaded springs. Dashpots use the velocities of the half step, as in the velocity-Verlet scheme of the engines:
 ///   v_half = v - dt/2 f/m,   w_half = w - dt/2 T/I_s
-/// with the force and torque of the assembly, for mobile grains; glued grains keep theirs. The rigid axes' planes act
-/// on mobile grains only: a glued grain is carried by its layer. Images of a sheared cell are where, and as fast as,
-/// the cell says. `time_step` in s; 0 takes the full-step velocities.
+/// with force and torque of the assembly. This holds for mobile grains; glued grains keep v and w. The planes of rigid
+/// axes act on mobile grains only. Images of a sheared cell have the shift and the velocity that the cell states.
+/// `time_step` is dt (s); 0 uses the velocities of the full step.
 ///
-/// These are the forces of the step up to rounding: 1e-10 of the largest contact force for the native engine in double,
-/// 2e-6 with its law in float.
+/// The forces agree with those of the step up to rounding: within 1e-10 of the largest contact force for the native
+/// engine in double, within 2e-6 with its law in float.
 ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& material, double time_step,
                                       const PlaneVelocities& planes = {});
 
 /// Sums of the contact forces and torques on each of `grain_count` grains.
 GrainForces sum_on_grains(const ContactForces& forces, std::size_t grain_count);
 
-/// Force (N) that the top boundary exerts on the mobile grains: top layer and, if z is rigid, the plane behind it.
+/// Force (N) of the top boundary on the mobile grains: of the top layer and, if z is rigid, of the plane behind it.
 Vector3 force_of_top_on_mobile(const Assembly& assembly, const ContactForces& forces);
 
 /// The same for the bottom boundary.

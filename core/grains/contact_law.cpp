@@ -27,7 +27,8 @@ struct Capped {
   bool reached;
 };
 
-/// `value` scaled to the length `cap` where it is longer. A stored value was scaled before: near the cap it is there.
+/// `value`, scaled to the length `cap` if it is longer. A stored value was scaled in its step: near the cap it counts
+/// as capped.
 Capped apply_cap(const Vector3& value, double cap, bool stored, Cap known) {
   if (stored && known != Cap::unknown) return {value, known == Cap::reached};
   const double length = value.norm();
@@ -43,7 +44,7 @@ Vector3 sliding_velocity(const ContactKinematics& motion, double lever_first, do
   return v - (lever_first * motion.spin_first + lever_second * motion.spin_second).cross(n);
 }
 
-/// F_t; writes the new spring and `sliding`.
+/// Returns F_t; writes the new spring and `sliding` to `result`.
 Vector3 tangential_force(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                          const Vector3& velocity, Vector3 spring, double time_step, bool advance, Cap known,
                          ContactForce& result) {
@@ -61,7 +62,8 @@ Vector3 tangential_force(const Material& material, const PairConstants& pair, co
   return elastic.value - dashpot(pair, stiffness) * velocity;
 }
 
-/// Torque of the rolling model, minus which acts on the first sphere; writes the new spring torque and `rolling`.
+/// Returns the torque of the rolling model; its negative acts on the first sphere. Writes the new spring torque and
+/// `rolling` to `result`.
 Vector3 rolling_torque_of(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                           const Vector3& stored, double time_step, bool advance, Cap known, ContactForce& result) {
   const Vector3 spin = motion.spin_first - motion.spin_second;

@@ -8,7 +8,7 @@
 namespace flowslide {
 namespace {
 
-/// Grains sorted into a grid of boxes at least one largest diameter wide.
+/// Grains sorted into a grid of boxes, each at least one largest diameter wide.
 class Grid {
  public:
   explicit Grid(const Assembly& assembly) : cell_(assembly.cell) {
@@ -23,7 +23,7 @@ class Grid {
       grain_[next[index(box_of(assembly.position[grain]))]++] = grain;
   }
 
-  /// Calls visit(other) for each grain in the box of `position` and in those around it, each grain once.
+  /// Calls visit(other) once for each grain in the box of `position` and in the boxes around it.
   template <class Visit>
   void for_each_near(const Vector3& position, Visit visit) const {
     const Box home = box_of(position);
@@ -45,9 +45,9 @@ class Grid {
   using Box = std::array<int, 3>;
 
   int boxes_along(int axis, double width, std::size_t grains) const {
-    // In a sheared cell the boxes above do not stand over those below.
+    // In a sheared cell the boxes of the image above are shifted along x.
     if (axis == 0 && cell_.shear_offset != 0.0) return 1;
-    // No more boxes than about eight per grain, however large the cell.
+    // Limits the number of boxes to about eight per grain in a sparse cell.
     const double most = 2.0 * std::cbrt(static_cast<double>(grains)) + 1.0;
     const double fitting = std::min(std::floor(cell_.lengths()[axis] / width), most);
     // With two boxes on a periodic axis the neighbours on both sides would be the same box.
@@ -60,14 +60,15 @@ class Grid {
     for (int axis = 0; axis < 3; ++axis) {
       double fraction = count_[axis] > 1 ? (position[axis] - cell_.lower[axis]) / cell_.lengths()[axis] : 0.0;
       if (cell_.periodic[axis]) fraction -= std::floor(fraction);
-      // Grains beyond a rigid axis belong to its last box; clamping keeps neighbours neighbours.
+      // Grains beyond the end of a rigid axis belong to its last box, so that they stay neighbours of the grains there.
       const double clamped = std::clamp(std::floor(fraction * count_[axis]), 0.0, count_[axis] - 1.0);
       box[axis] = static_cast<int>(clamped);
     }
     return box;
   }
 
-  /// Sets box[axis] to the neighbour of home[axis]; false if there is none or it is met by another shift.
+  /// Sets box[axis] to the neighbour of home[axis]. Returns false if there is none, or if another shift gives the same
+  /// box.
   bool shifted(const Box& home, int axis, int shift, Box& box) const {
     const int count = count_[axis];
     box[axis] = home[axis] + shift;
@@ -82,7 +83,7 @@ class Grid {
 
   Cell cell_;
   Box count_{1, 1, 1};
-  std::vector<std::uint32_t> start_;  ///< shape (boxes + 1): where the grains of a box begin in grain_
+  std::vector<std::uint32_t> start_;  ///< shape (boxes + 1): index in grain_ of the first grain of a box
   std::vector<std::uint32_t> grain_;  ///< shape (n)
 };
 

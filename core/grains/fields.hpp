@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One list of the members of a structure of parameters. Its text, its validation, its reader and its test all visit
-// this list, so that none of them can forget a member.
+// A list of the members of a structure of parameters. Text, validation, reader and test of the structure all use this
+// list, so that no member can be forgotten.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace flowslide {
 
-/// The values that a number may have, in SI units. NaN and infinity are never among them.
+/// The allowed values of a number, in SI units. NaN and infinity are never allowed.
 struct Bounds {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
@@ -32,11 +32,11 @@ struct Bounds {
   static constexpr Bounds above_up_to(double low, double high) { return {low, high, false, true}; }
 
   bool contain(double value) const;
-  /// Such as "above 0 and at most 1", "at least 0", "any finite number".
+  /// The bounds as text: "above 0 and at most 1", "at least 0", "any finite number".
   std::string describe() const;
 };
 
-/// Whether another value makes another result, or only decides when a computation gives up.
+/// Whether a value changes the result, or only limits the cost of a computation.
 enum class Effect { on_result, limit_only };
 
 /// One member of `Owner`. The type of the member is a number, a flag, an enumeration, an array of numbers, or a
@@ -47,14 +47,14 @@ struct Field {
                   Bounds the_bounds = Bounds::any(), Effect the_effect = Effect::on_result)
       : name(the_name), member(the_member), unit(the_unit), bounds(the_bounds), effect(the_effect) {}
 
-  const char* name;  ///< in texts and messages; also the key in a configuration
+  const char* name;  ///< name in texts and messages; also the key in a configuration
   Value Owner::*member;
   const char* unit;  ///< SI; "1" for a number without dimension
-  Bounds bounds;     ///< of the number, or of each element of an array
+  Bounds bounds;     ///< bounds of the number or of each element of an array
   Effect effect;
 };
 
-/// A structure with `static constexpr auto fields()`, which returns a std::tuple of Field, one for each member.
+/// A structure with `static constexpr auto fields()`, which returns a std::tuple with one Field per member.
 template <typename T>
 concept HasFields = requires {
   std::remove_const_t<T>::fields();
@@ -67,8 +67,8 @@ void for_each_field(Owner& owner, Visit&& visit) {
              std::remove_const_t<Owner>::fields());
 }
 
-/// The same, but visits the fields of a nested structure in place of that structure: `visit(name, field, member)` with
-/// names such as "material.density".
+/// The same, but replaces a nested structure by its fields: `visit(name, field, member)` with names such as
+/// "material.density".
 template <HasFields Owner, typename Visit>
 void for_each_leaf(Owner& owner, Visit&& visit, const std::string& prefix = "") {
   for_each_field(owner, [&]<typename F, typename Value>(const F& field, Value& value) {
@@ -79,7 +79,7 @@ void for_each_leaf(Owner& owner, Visit&& visit, const std::string& prefix = "") 
   });
 }
 
-/// The shortest text that gives the same number again; "true" or "false".
+/// The shortest text that restores the same number; "true" or "false" for a flag; the number of an enumerator.
 std::string field_text(double value);
 std::string field_text(std::int64_t value);
 std::string field_text(std::uint64_t value);
@@ -97,8 +97,8 @@ std::string field_text(const std::array<T, size>& values) {
   return text;
 }
 
-/// A line "name = value" for each field with an effect on results: two owners have the same text exactly when they give
-/// the same result.
+/// A line "name = value" for each field with an effect on results. Two owners have equal texts exactly if they give the
+/// same result.
 template <HasFields Owner>
 std::string text_of_fields(const Owner& owner) {
   std::string text;
@@ -108,7 +108,7 @@ std::string text_of_fields(const Owner& owner) {
   return text;
 }
 
-/// Throws std::invalid_argument unless the bounds contain the value: the name, the value, what is allowed.
+/// Throws std::invalid_argument unless the bounds contain the value. The message gives name, value and allowed range.
 void require_within(const Bounds& bounds, const std::string& name, double value, const std::string& unit);
 
 /// Throws std::invalid_argument for the first number of `owner` that is out of its bounds.
@@ -147,8 +147,8 @@ constexpr bool same_member(A a, B b) {
 
 }  // namespace detail
 
-/// Whether the list of `Owner`, an aggregate, names each of its members once. For a static_assert below the structure:
-/// a new member that is not in the list then breaks the build.
+/// Whether the list of the aggregate `Owner` names each of its members once. Use it in a static_assert below the
+/// structure: a new member that is missing in the list then stops the build.
 template <HasFields Owner>
 consteval bool lists_every_member() {
   return std::apply(

@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-/// sum m v' (x) v' of some grains about the line in z that fits their velocities best.
+/// sum m v' (x) v' of the given grains, with v' relative to the straight line in z that fits their velocities best.
 Matrix3 fluctuations(const Assembly& assembly, const Material& material, const std::vector<std::size_t>& grains) {
   double mass = 0.0, z_mean = 0.0, z_square = 0.0;
   Vector3 velocity_mean = Vector3::Zero(), slope = Vector3::Zero();

@@ -4,8 +4,8 @@
 
 namespace flowslide {
 
-/// Properties of the grains and of their contacts. Defaults are Table 1 of the paper; the rolling stiffness and the
-/// rolling viscous damping are left open there and follow the first author's public input decks.
+/// Properties of the grains and of their contacts. Defaults are those of Table 1 of the paper. The table does not give
+/// the rolling stiffness and the rolling viscous damping; they follow the public input decks of the first author.
 struct Material {
   double density = 2650.0;                 ///< rho, kg/m^3, of the solid
   double youngs_modulus = 2.0e9;           ///< E, Pa

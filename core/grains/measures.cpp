@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-/// sqrt(rho / p) D, s: the time that makes a shear rate an inertial number.
+/// sqrt(rho / p) D, s: the inertial number is this time multiplied by the shear rate.
 double inertial_time(double mean_diameter, double density, double pressure) {
   require(mean_diameter > 0.0, "mean diameter", mean_diameter, "> 0 m", "Is the assembly empty?");
   require(density > 0.0, "density", density, "> 0 kg/m^3", "Give the density of the solid.");

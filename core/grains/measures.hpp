@@ -5,27 +5,29 @@
 
 namespace flowslide {
 
-/// e = (V - V_s) / V_s of the whole cell; V_s is the volume of all spheres, glued ones included and overlaps not
-/// deducted. Throws std::invalid_argument if there is no grain.
+/// e = (V - V_s) / V_s of the whole cell. V_s is the volume of all spheres: glued spheres count, and overlaps are not
+/// subtracted. Throws std::invalid_argument without grains.
 double void_ratio(const Assembly& assembly);
 
-/// Void ratio between the horizontal planes `margin` (m) inside the bottom and the top of the cell. A sphere cut by
-/// one of the two counts with the part between them. Throws std::invalid_argument unless 0 <= margin < height / 2, or
-/// if no solid lies between the planes.
+/// Void ratio between two horizontal planes, `margin` (m) inside the bottom and the top of the cell. Of a sphere that a
+/// plane cuts, the part between the planes counts. Throws std::invalid_argument unless 0 <= margin < height / 2, or if
+/// no solid is between the planes.
 double void_ratio_of_bulk(const Assembly& assembly, double margin);
 
-/// Volume (m^3) of the part of a sphere that lies at or below a plane `height` (m) above its centre (below: negative).
+/// Volume (m^3) of the part of a sphere below a horizontal plane that is `height` (m) above its centre; `height` is
+/// negative for a plane below the centre.
 double volume_below(double radius, double height);
 
-/// I = gamma_dot D sqrt(rho / p) (paper, sec. 2.2.1). shear_rate 1/s (its sign is kept), mean_diameter m,
-/// density of the solid kg/m^3, pressure Pa. Throws std::invalid_argument unless the last three are > 0.
+/// I = gamma_dot D sqrt(rho / p) (paper, sec. 2.2.1), with the sign of the shear rate. shear_rate in 1/s, mean_diameter
+/// in m, density of the solid in kg/m^3, pressure in Pa. Throws std::invalid_argument unless the last three are > 0.
 double inertial_number(double shear_rate, double mean_diameter, double density, double pressure);
 
-/// The shear rate (1/s) at which the inertial number has the given value. Errors as for `inertial_number`.
+/// The shear rate (1/s) at which the inertial number has the given value. Throws as `inertial_number`.
 double shear_rate_for(double inertial_number, double mean_diameter, double density, double pressure);
 
-/// Time (s) in which a Rayleigh wave crosses half of a sphere, t_R = pi R sqrt(rho / G) / (0.1631 nu + 0.8766), as
-/// LIGGGHTS takes it (fix check/timestep/gran). Explicit steps are kept below a few percent of it.
+/// Rayleigh time of a sphere, s: t_R = pi R sqrt(rho / G) / (0.1631 nu + 0.8766), the time in which a Rayleigh wave
+/// travels half of the circumference, as in LIGGGHTS (fix check/timestep/gran). For the limit of the time step see
+/// sample/health.hpp.
 double rayleigh_time(double radius, const Material& material);
 
 /// Duration (s) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s, > 0):
@@ -33,14 +35,15 @@ double rayleigh_time(double radius, const Material& material);
 /// Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws std::invalid_argument unless impact_speed > 0.
 double hertz_contact_time(double radius, const Material& material, double impact_speed);
 
-/// Largest overlap (m) of that impact.
+/// Largest overlap (m) of the same impact.
 double hertz_impact_overlap(double radius, const Material& material, double impact_speed);
 
-/// Mean overlap (m) of all touching pairs, pairs of one glued layer left out. 0 if none touch.
+/// Mean overlap (m) of all touching pairs except pairs of one glued layer. 0 without touching pairs.
 double mean_overlap(const Assembly& assembly);
 
-/// Overlap (m) to expect at a pressure (Pa): Hertz at the mean force of Rumpf's relation f = pi D^2 (1 + e) p / Z,
-///   overlap = [3 f / (4 Y* sqrt(D / 4))]^(2/3).  1.3e-3 D at 28 kPa with Table 1, e = 0.77, Z = 4.7.
+/// Expected overlap (m) at a pressure (Pa): Hertz's law at the mean force of Rumpf's relation f = pi D^2 (1 + e) p / Z,
+///   overlap = [3 f / (4 Y* sqrt(D / 4))]^(2/3).
+/// With Table 1, e = 0.77 and Z = 4.7 it is 1.3e-3 D at 28 kPa. Throws std::invalid_argument for Z <= 0.
 double typical_overlap(double pressure, double mean_diameter, const Material& material, double void_ratio = 0.77,
                        double coordination_number = 4.7);
 

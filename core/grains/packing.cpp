@@ -16,7 +16,7 @@ void shuffle(std::vector<double>& values, Generator& generator) {
     std::swap(values[left - 1], values[static_cast<std::size_t>(uniform(generator) * static_cast<double>(left))]);
 }
 
-/// D(u) of the header, m.
+/// D(u), m; see draw_diameters.
 double diameter_at(double u, const LatticePacking& options) {
   const double most = 1.0 / (options.smallest_diameter * options.smallest_diameter);
   const double least = 1.0 / (options.largest_diameter * options.largest_diameter);

@@ -15,12 +15,12 @@ struct LatticePacking {
   double smallest_diameter = 5.0e-3;       ///< D_min, m, > 0
   double largest_diameter = 7.5e-3;        ///< D_max, m, >= D_min
   double spacing = 1.1;                    ///< distance of neighbouring sites over D_max, > 1 + 2 jitter
-  double jitter = 0.04;                    ///< largest shift of a centre off its site, per axis, over D_max, >= 0
+  double jitter = 0.04;                    ///< largest shift of a centre from its site per axis, over D_max, >= 0
   std::uint64_t seed = 1;                  ///< any value; equal seeds give equal packings on every platform
 
   static constexpr auto fields() {
     return std::tuple{
-        Field{"lattice", &LatticePacking::counts, "1", Bounds::between(3, 1000)},  // so that an int counts the grains
+        Field{"lattice", &LatticePacking::counts, "1", Bounds::between(3, 1000)},  // fits in an int
         Field{"smallest_diameter", &LatticePacking::smallest_diameter, "m", Bounds::positive()},
         Field{"largest_diameter", &LatticePacking::largest_diameter, "m", Bounds::positive()},
         Field{"spacing", &LatticePacking::spacing, "1", Bounds::positive()},
@@ -33,19 +33,18 @@ static_assert(lists_every_member<LatticePacking>());
 /// Throws std::invalid_argument if an option is out of the range given at its declaration.
 void validate(const LatticePacking& options);
 
-/// `count` diameters (m) in random order, between D_min and D_max with equal solid volume per interval of diameter
-/// ("a uniform distribution of particle volumes"): number density n(D) ~ D^-3, so that
+/// `count` random diameters (m) between D_min and D_max, shape (count), in random order. Each interval of diameter has
+/// an equal solid volume ("a uniform distribution of particle volumes"): the number density is n(D) ~ D^-3, thus
 ///   F(D) = (D_min^-2 - D^-2) / (D_min^-2 - D_max^-2),   D(u) = [D_min^-2 - u (D_min^-2 - D_max^-2)]^(-1/2).
-/// This reading has the number mean 2 D_min D_max / (D_min + D_max) = 6.00 mm of the paper; spheres whose volume is
-/// uniform between V_min and V_max would have 6.41 mm. Stratified: one diameter is drawn from each of `count` equal
-/// intervals of u and the order is then shuffled, so that the grading hardly differs between seeds and small samples.
-/// Errors: those of `validate`, and std::invalid_argument for count < 1.
+/// This interpretation has the number mean 2 D_min D_max / (D_min + D_max) = 6.00 mm of the paper. A sphere volume that
+/// is uniform between V_min and V_max would give 6.41 mm. The sampling is stratified: one diameter from each of `count`
+/// equal intervals of u, then a random order. The grading therefore hardly differs between seeds, also in small
+/// samples. Throws as `validate`, and std::invalid_argument for count < 1.
 std::vector<double> draw_diameters(const LatticePacking& options, std::int64_t count);
 
-/// nx ny nz spheres at rest, mobile, without contacts, in a cell of six rigid planes with its lower corner at the
-/// origin; x is the fastest index. Neither two spheres nor a sphere and a plane touch, whatever the draw: sites are
-/// `spacing` D_max apart and half of that from the planes, and no centre leaves its site by more than `jitter` D_max
-/// along an axis. Errors: those of `validate`.
+/// nx ny nz mobile spheres at rest in a cell of six rigid planes with its lower corner at the origin; x is the fastest
+/// index. No sphere touches another sphere or a plane: sites are `spacing` D_max apart and half of that from the
+/// planes, and a centre is at most `jitter` D_max from its site along each axis. Throws as `validate`.
 Assembly lattice_packing(const LatticePacking& options = {});
 
 }  // namespace flowslide

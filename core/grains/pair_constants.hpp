@@ -4,7 +4,7 @@
 
 namespace flowslide {
 
-/// What a contact law needs to know of a pair besides its motion; both spheres of the same material.
+/// Constants of the contact law for a pair of spheres of the same material.
 struct PairConstants {
   double radius_first = 0.0, radius_second = 0.0;  ///< R_1, R_2, m
   double effective_radius = 0.0;         ///< R* = R_1 R_2 / (R_1 + R_2), m
@@ -24,7 +24,7 @@ double sphere_inertia(double radius, const Material& material);
 /// Constants of two touching spheres.
 PairConstants pair_constants(const Material& material, double radius_first, double radius_second);
 
-/// Constants of a sphere at a plane of its own material: R* = R, m* = m; the rolling inertia is that of the sphere.
+/// Constants of a sphere at a plane of the same material: R* = R, m* = m, I_r = 7/5 m R^2.
 PairConstants plane_constants(const Material& material, double radius);
 
 }  // namespace flowslide

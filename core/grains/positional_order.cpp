@@ -11,10 +11,10 @@
 namespace flowslide {
 namespace {
 
-/// Share of the length of the cell that is away from the layers at its planes.
+/// Fraction of the length of the cell that is not affected by layers at its planes.
 constexpr double middle_share = 0.6;
 
-/// Order of the grains whose distance from the middle is at most `reach` of the length.
+/// Order of the grains whose distance from the middle is at most the fraction `reach` of the length.
 MiddleOrder order_within(const Assembly& assembly, int axis, int periods, double reach) {
   require(periods >= 1, "number of waves", periods, ">= 1", "Use the number of lattice sites along the axis.");
   const double length = assembly.cell.lengths()[axis], lower = assembly.cell.lower[axis];

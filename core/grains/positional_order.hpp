@@ -6,27 +6,28 @@
 
 namespace flowslide {
 
-/// How much of a wave there is in the positions of the grains along an axis (0, 1, 2 for x, y, z), with `periods` waves
-/// in the length L of the cell: S = |mean over the grains of exp(2 pi i periods (x - x_0)/L)|. 1 if they lie in planes
-/// L/periods apart, some 1/sqrt(N) for N independent positions. Layers at planes show as well. Throws
-/// std::invalid_argument for no grain, or periods < 1.
+/// Positional order of the grains along an axis (0, 1, 2 for x, y, z) for a wave with `periods` periods in the length L
+/// of the cell: S = |mean over the grains of exp(2 pi i periods (x - x_0)/L)|. S is 1 if the grains form planes with
+/// the distance L/periods, and about 1/sqrt(N) for N independent positions. Layers at walls increase S. Throws
+/// std::invalid_argument without grains or for periods < 1.
 double positional_order(const Assembly& assembly, int axis, int periods);
 
-/// Order of a part of the grains, and how many they are.
+/// Order of a part of the grains.
 struct MiddleOrder {
-  double value = 0.0;
-  std::size_t grains = 0;
+  double value = 0.0;      ///< S, see positional_order
+  std::size_t grains = 0;  ///< number of grains in this part
 };
 
-/// The same over the middle of the cell, where walls make no layers: about 60 % of its length, a whole number of waves,
-/// so that a uniform density has none. 0 without grains there.
+/// The order in the middle of the cell, where walls cause no layers: about 60 % of its length. The part is a whole
+/// number of waves long, so that a uniform density has no order. The value is 0 without grains in this part. Throws
+/// std::invalid_argument for periods < 1.
 MiddleOrder middle_order(const Assembly& assembly, int axis, int periods);
 
-/// Order up to which `grains` positions count as random: the mean and so many standard deviations of the order of
-/// independent positions. The sum of N random unit vectors is a Gaussian in the plane (K. Pearson, Nature 72 (1905)
-/// 294), so that S has Rayleigh's distribution with the mean sqrt(pi/(4 N)) and the variance (1 - pi/4)/N. With two
-/// deviations it is 1.81/sqrt(N), exceeded by chance with the probability exp(-1.81^2) = 0.037; with four, 2.74/sqrt(N)
-/// and 5e-4.
+/// Largest order at which the positions of `grains` grains count as random: the mean for independent positions plus
+/// `deviations` standard deviations. The sum of N random unit vectors is a Gaussian in the plane (K. Pearson, Nature 72
+/// (1905) 294). S therefore has a Rayleigh distribution with the mean sqrt(pi/(4 N)) and the variance (1 - pi/4)/N.
+/// With 2 deviations the limit is 1.81/sqrt(N), which random positions exceed with the probability exp(-1.81^2) =
+/// 0.037; with 4 deviations it is 2.74/sqrt(N), with the probability 5e-4.
 double order_of_random_positions(std::size_t grains, double deviations);
 
 }  // namespace flowslide

@@ -9,7 +9,7 @@
 namespace flowslide {
 namespace {
 
-/// Mean v_x over the solid between two heights, m/s, relative to the bottom.
+/// Mean v_x of the solid between two heights (m), relative to the bottom, m/s.
 double mean_velocity(const Assembly& assembly, double lower, double upper) {
   const Cell& cell = assembly.cell;
   const int images = cell.periodic[2] ? 1 : 0;

@@ -10,14 +10,14 @@
 namespace flowslide {
 namespace {
 
-/// Share of a sphere of that radius (m) about a height that lies within the cell.
+/// Fraction of the surface of a sphere of `radius` (m), with its centre at `height` (m), that is inside the cell.
 double share_inside(const Cell& cell, double height, double radius) {
   if (cell.periodic[2]) return 1.0;
   const auto to = [&](double distance) { return 0.5 * std::min(1.0, distance / radius); };
   return to(height - cell.lower.z()) + to(cell.upper.z() - height);
 }
 
-/// Numbers of pairs per bin, both ways; distances in m.
+/// Number of ordered pairs per bin, shape (bins); bins are `width` (m) wide.
 std::vector<double> count_pairs(const Assembly& assembly, double width, int bins) {
   std::vector<double> pairs(static_cast<std::size_t>(bins), 0.0);
   for (std::size_t i = 0; i < assembly.size(); ++i)

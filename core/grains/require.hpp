@@ -7,7 +7,8 @@
 
 namespace flowslide {
 
-/// Throws std::invalid_argument unless `allowed`: what is wrong, its value, what is allowed, how to mend it.
+/// Throws std::invalid_argument unless `allowed`. The message gives the name, its value, the allowed range and the
+/// remedy.
 inline void require(bool allowed, const std::string& name, double value, const std::string& range,
                     const std::string& mend) {
   if (allowed) return;

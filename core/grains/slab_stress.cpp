@@ -8,7 +8,7 @@
 namespace flowslide {
 namespace {
 
-/// Share of what lies between the heights `start` and `end` that is in the slab.
+/// Fraction of the interval between the heights `start` and `end` that is in the slab.
 double share_inside(double start, double end, double lower, double upper) {
   const auto [low, high] = std::minmax(start, end);
   if (!(high > low)) return low >= lower && low < upper ? 1.0 : 0.0;
@@ -25,7 +25,7 @@ Matrix3 slab_stress(const Assembly& assembly, const ContactForces& forces, doubl
     const double start = assembly.position[contact.second].z();
     const double end = start + contact.branch.z();
     double share = share_inside(start, end, lower, upper);
-    if (assembly.cell.periodic[2])  // what leaves the cell at one face comes in at the other
+    if (assembly.cell.periodic[2])  // a branch that leaves the cell at one face enters it at the other
       for (const double shift : {-height, height}) share += share_inside(start + shift, end + shift, lower, upper);
     sum += share * contact.branch * contact.force.on_first.transpose();
   }

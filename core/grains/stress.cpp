@@ -11,7 +11,7 @@ Matrix3 interior_sum(const ContactForces& forces) {
   return sum;
 }
 
-/// The two kinds of exterior contacts: mobile grains at planes, glued grains at the plane behind them.
+/// Sum over both kinds of exterior contacts: mobile grains at planes, and glued grains at the plane behind them.
 Matrix3 exterior_sum(const Assembly& assembly, const ContactForces& forces) {
   Matrix3 sum = Matrix3::Zero();
   for (const PlaneContact& contact : forces.plane_contacts)

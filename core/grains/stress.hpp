@@ -5,34 +5,37 @@
 #include "grains/material.hpp"
 #include "grains/vector.hpp"
 
-/// Homogenised stress of the whole cell. All tensors are compression positive with sigma_ij = (1/V) sum l_i f_j, first
-/// index the direction of the branch (the normal of the section), second that of the force.
+/// Homogenised stress of the whole cell. All tensors are compression positive with sigma_ij = (1/V) sum l_i f_j: the
+/// first index is the direction of the branch (the normal of the section), the second that of the force.
 namespace flowslide {
 
-/// Bagi's stress, Pa (eq. 12). As printed
+/// Bagi's stress, Pa (eq. 12). As printed:
 ///   <sigma>_B = 1/V [ sum_{c in I} l^c (x) f^c + sum_{e in E} l^e (x) f^e ].
 /// As coded, compression positive:
 ///   sigma_B = 1/V [ sum_pairs (x_1 - x_2) (x) f_1 - sum_exterior (x_e - x_g) (x) f_e ],
-/// f_1 on the first grain; x_e the point at the boundary, f_e the force of the boundary on grain g. Exterior contacts:
-/// (1) a mobile grain at a plane, x_e the foot of its centre on the plane; (2) each glued grain, held by the plane
-/// behind it with minus the sum of its contact forces, x_e the foot of its centre on the plane z = lower or upper.
+/// with f_1 the force on the first grain, x_e the point at the boundary, and f_e the force of the boundary on grain g.
+/// There are two kinds of exterior contacts:
+/// (1) A mobile grain at a plane; x_e is the projection of its centre on the plane.
+/// (2) A glued grain. The plane behind it holds it with minus the sum of its contact forces; x_e is the projection of
+///     its centre on the plane z = lower or upper.
 ///
-/// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Measure z from the bottom
-/// and let f be the force of a glued grain g on a mobile grain p: the pair gives (z_p - z_g) f and the glue, which
-/// holds g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is z_p f at the bottom and (z_p - H) f at the
-/// top. A plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2. The sum is sum_p z_p f_p - H F_top.
-/// (The two layers are assumed not to touch each other, and x, y to be periodic: see there. If z is periodic, no grain
-/// may be glued.)
+/// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Proof: measure z from the
+/// bottom, and let f be the force of a glued grain g on a mobile grain p. The pair gives (z_p - z_g) f. The glue holds
+/// g with +f and gives -(z_e - z_g) f. The sum is (z_p - z_e) f: z_p f at the bottom and (z_p - H) f at the top. A
+/// plane gives the same, and pairs of mobile grains give z_1 f_1 + z_2 f_2. The total is sum_p z_p f_p - H F_top.
+/// Assumptions: the two layers do not touch each other, and x and y are periodic (see section_stress_from_forces). If z
+/// is periodic, no grain is glued.
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
 
 /// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,
 ///   -1/V sum_p chi . [(omega . epsilon) + omega (x) omega - |omega|^2 I].
 /// As coded, compression positive,
 ///   +1/V sum_p m R^2/5 [alpha . epsilon + omega (x) omega - |omega|^2 I],   (alpha . epsilon)_ij = alpha_k eps_kij,
-/// since chi = (m R^2/5) I for a sphere. The first omega is printed without its dot: the term stems from the
-/// acceleration alpha x r + omega x (omega x r) of the points of a rigid grain, so it holds the angular acceleration
-/// alpha = T / I_s with the torque of the assembly. It then cancels the antisymmetric part of Bagi's stress, where
-/// sum r (x) f has the antisymmetric part epsilon . T / 2. Glued grains do not spin and add nothing.
+/// because chi = (m R^2/5) I for a sphere. The dot of the first omega is missing in the paper: the term stems from the
+/// acceleration alpha x r + omega x (omega x r) of the points of a rigid grain. It therefore contains the angular
+/// acceleration alpha = T / I_s, with the torque of the assembly. It then cancels the antisymmetric part of Bagi's
+/// stress, where sum r (x) f has the antisymmetric part epsilon . T / 2. Glued grains do not spin and contribute
+/// nothing.
 Matrix3 nicot_correction(const Assembly& assembly, const Material& material);
 
 /// Nicot's stress, Pa (eq. 13): Bagi's stress plus `nicot_correction`.
@@ -40,10 +43,10 @@ Matrix3 nicot_stress(const Assembly& assembly, const ContactForces& forces, cons
 
 /// z row (sigma_zx, sigma_zy, sigma_zz), Pa, compression positive, without a loop over pairs:
 ///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
-/// z from the bottom plane, H the height of the cell, f = assembly.force (contact forces only: no drag) and F_top =
-/// `top_on_mobile` the force (N) of the top boundary, layer and plane, ON the mobile grains (the grains push the
-/// boundary with minus this). sigma_zz is exact always; sigma_zx and sigma_zy only where the axis x or y is periodic,
-/// since the planes of a rigid lateral axis push the grains but carry no stress on horizontal sections.
+/// with z measured from the bottom plane, H the height of the cell, and f = assembly.force (contact forces without
+/// drag). F_top = `top_on_mobile` is the force (N) of the top boundary, layer and plane, on the mobile grains. sigma_zz
+/// is always exact. sigma_zx and sigma_zy are exact only if the axis x or y is periodic: the planes of a rigid lateral
+/// axis push the grains but carry no stress on horizontal sections.
 Vector3 section_stress_from_forces(const Assembly& assembly, const Vector3& top_on_mobile);
 
 /// Stress in the terms of the slope.
@@ -53,9 +56,9 @@ struct SlopeStress {
   double mean = 0.0;     ///< p, Pa, compression positive
 };
 
-/// From a compression-positive tensor: sigma = sigma_zz, tau = -sigma_zx, p = trace/3. The sign of tau: dragged by the
-/// top towards +x, an upper grain is held back by the lower one, l_z > 0 and f_x < 0, so that sigma_zx < 0.
-/// The only place where the sign of shear is turned.
+/// From a compression-positive tensor: sigma = sigma_zz, tau = -sigma_zx, p = trace/3. The sign of tau: the top drags
+/// an upper grain towards +x, and the lower grain holds it back. Thus l_z > 0 and f_x < 0, and sigma_zx < 0. The sign
+/// of shear changes only here and in `stress_of` (dem/stress_sums.hpp).
 SlopeStress slope_stress(const Matrix3& stress);
 
 }  // namespace flowslide

@@ -13,13 +13,13 @@
 namespace flowslide {
 namespace {
 
-/// What a contact does to a small motion in one step, each dt^2 stiffness + 2 dt damping, kg.
+/// Action of a contact on a small motion in one step: dt^2 stiffness + 2 dt damping.
 struct Spring {
   std::uint32_t first = 0, second = 0;
   Vector3 normal;
   double lever_first = 0.0, lever_second = 0.0;  // m
-  double along = 0.0, across = 0.0;              // of translation
-  double rolling = 0.0;                          // of spins, kg m^2
+  double along = 0.0, across = 0.0;              // on translation along and across the normal, kg
+  double rolling = 0.0;                          // on rotation, kg m^2
 };
 
 double step_action(double stiffness, double damping, double time_step) {
@@ -42,8 +42,8 @@ Spring spring_of(const Material& material, const PairConstants& pair, double ove
   return spring;
 }
 
-/// The contacts as springs, over motions that are weighed by the root of the mass: shape (6 n), displacement and
-/// rotation of each grain; glued grains do not move.
+/// The contacts as springs. They act on motions of shape (6 n): displacement times sqrt(m) and rotation times sqrt(I_s)
+/// of each grain. Glued grains do not move.
 class Network {
  public:
   Network(const Assembly& assembly, const Material& material, double time_step)
@@ -130,7 +130,7 @@ Eigen::VectorXd random_motion(Eigen::Index size) {
   return motion.normalized();
 }
 
-/// Largest eigenvalue by Lanczos' iteration; each Ritz value is a lower bound.
+/// Largest eigenvalue by Lanczos iteration. Each Ritz value is a lower bound.
 double largest_eigenvalue(const Network& network, int iterations) {
   Eigen::VectorXd before = Eigen::VectorXd::Zero(network.size()), now = random_motion(network.size());
   Eigen::VectorXd diagonal(iterations), beside(iterations);
@@ -142,7 +142,7 @@ double largest_eigenvalue(const Network& network, int iterations) {
     next -= diagonal[done] * now;
     beta = beside[done] = next.norm();
     ++done;
-    if (beta <= 1e-12 * diagonal.head(done).cwiseAbs().maxCoeff()) break;  // the whole space that is reached
+    if (beta <= 1e-12 * diagonal.head(done).cwiseAbs().maxCoeff()) break;  // the Krylov space is complete
     before = now;
     now = next / beta;
   }

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t wall_slices = 2;  ///< see without_wall_layers
 constexpr double slice_scatter = 0.27;  ///< see counting_deviation
 
-/// Adds the parts of a sphere to the solid volumes of the slices; `centre` above the lower end of the cell.
+/// Adds the parts of a sphere to the solid volumes (m^3) of the slices. `centre` is its distance from the lower end of
+/// the cell (m).
 void cut(std::vector<double>& solid, double thickness, double centre, double radius) {
   const int last = static_cast<int>(solid.size()) - 1;
   const int from = std::max(0, static_cast<int>(std::floor((centre - radius) / thickness)));

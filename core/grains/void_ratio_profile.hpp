@@ -6,24 +6,25 @@
 
 namespace flowslide {
 
-/// Void ratios of `slices` equal slices of the cell across an axis (0, 1, 2 for x, y, z), from its lower end on; shape
-/// (slices). Each sphere is cut exactly (see volume_below); along a periodic axis its images count. Throws
-/// std::invalid_argument for slices < 1, or if a slice holds no solid.
+/// Void ratios of `slices` equal slices of the cell normal to an axis (0, 1, 2 for x, y, z), from its lower end; shape
+/// (slices). Spheres are cut exactly (see volume_below). Along a periodic axis their images count. Throws
+/// std::invalid_argument for slices < 1 or for a slice without solid.
 std::vector<double> void_ratio_profile(const Assembly& assembly, int axis, int slices);
 
-/// Number of equal slices across an axis that are nearest to one mean diameter thick.
+/// The number of equal slices normal to an axis whose thickness is closest to one mean diameter.
 int slices_of_a_diameter(const Assembly& assembly, int axis);
 
-/// The slices of a profile, one diameter thick each, without those that a plane at either end loosens: two, or as many as
-/// leave one. A plane orders the grains next to it: in a sample of 8800 grains the solid fraction of the first slice is
-/// 0.88 of the middle's, that of the second 0.96, that of the third 0.99; samples without drag have such layers, too
+/// Removes the slices at walls from a profile with slices of one mean diameter: two at each end, or fewer so that one
+/// slice is left. A wall orders the grains next to it. In a sample of 8800 grains the first slice has 0.88 of the solid
+/// fraction of the middle, the second 0.96, the third 0.99. Samples without drag have such layers, too
 /// (docs/samples.md, "Walls").
 std::vector<double> without_wall_layers(const std::vector<double>& slices);
 
-/// Standard deviation of the void ratio of a slice, one mean diameter D thick, of a random packing of the cross-section
-/// A: 0.27 D/sqrt(A). It is counting: slices of uniform packings vary by the grains that their faces cut, whose number
-/// goes with A. Measured on 10 samples of 1100 grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one of 8800,
-/// mixed and prepared between periodic faces alone, which makes no place differ from another.
+/// Expected standard deviation of the void ratio of slices in a random packing: 0.27 D/sqrt(A), with slices one mean
+/// diameter D (m) thick and the cross-section A (m^2). Even in a uniform packing, slices differ in the grains that
+/// their faces cut; the number of these grains is proportional to A. The factor was measured on 10 samples of 1100
+/// grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one sample of 8800. All were mixed and prepared between
+/// periodic faces only, so that no position differs from another.
 double counting_deviation(double cross_section, double mean_diameter);
 
 }  // namespace flowslide
