@@ -5,20 +5,19 @@
 
 namespace flowslide {
 
-/// The velocity that the drag on a grain is measured from.
+/// The velocity u in the drag force -c (v - u) on a grain.
 enum class DragReference {
-  rest,                ///< none: -c v. Drag then holds every grain in its place until a wall reaches it.
-  uniform_compression  ///< that of the affine field of the moving boundaries at the grain: -c (v - u(x)), see
-                       ///< UniformFlow
+  rest,                ///< u = 0: drag holds every grain in place until a wall reaches it
+  uniform_compression  ///< u(x) is the affine velocity field of the moving boundaries at the grain, see UniformFlow
 };
 
 /// "rest" or "uniform compression".
 std::string name_of(DragReference reference);
 
-/// All of these names.
+/// All names.
 std::vector<std::string> drag_reference_names();
 
-/// The reference of that name. Throws std::invalid_argument, with the names that are allowed, if there is none.
+/// The reference with this name. Throws std::invalid_argument for another name; the message gives the allowed names.
 DragReference drag_reference_of(const std::string& name);
 
 }  // namespace flowslide

@@ -9,14 +9,14 @@
 
 namespace flowslide {
 
-/// Names of the engines of this build: "liggghts", told to clear histories at separation; "liggghts-stock", which keeps
-/// them until it builds its neighbour list; "native", in double; "native-mixed", with the contact law in float, and
+/// Names of the engines of this build. "liggghts" clears the history of a contact when it opens; "liggghts-stock" keeps
+/// it until the next neighbour list. "native" computes in double; "native-mixed" has the contact law in float and is
 /// faster.
 std::vector<std::string> engine_names();
 
-/// The engine of that name; `log` is the file for what it writes of itself. Throws std::invalid_argument for an unknown
-/// name, and says which there are. `threads` are for the native ones: 0 is one below 10 000 grains, else one for each core;
-/// LIGGGHTS works in ranks of MPI instead.
+/// The engine with this name. LIGGGHTS writes its log to the file `log`. `threads` is for the native engines: 0 means
+/// one thread below 10 000 grains and otherwise one thread per core. LIGGGHTS uses MPI ranks instead. Throws
+/// std::invalid_argument for an unknown name; the message gives the known names.
 std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log, int threads = 0);
 
 }  // namespace flowslide

@@ -4,21 +4,22 @@
 
 namespace flowslide {
 
-/// What an engine sums up for the stress of its cell without a loop over pairs, of the last evaluation of forces,
-/// without drag: N m and N, positions from the lower planes.
+/// Sums from which an engine computes the stress of its cell without a loop over pairs, in N m and N. They belong to
+/// the last evaluation of forces and exclude drag. Positions are measured from the lower planes.
 struct StressSums {
   Vector3 mobile_height_times_force = Vector3::Zero();  ///< sum over mobile grains of z f
   Vector3 mobile_moment = Vector3::Zero();              ///< sums over mobile grains of x f_x, y f_y, z f_z
-  Vector3 top_force = Vector3::Zero();                  ///< of the top layer and the plane behind it on mobile grains
-  Vector3 upper_plane = Vector3::Zero();                ///< forces of the upper planes, each along its axis
+  Vector3 top_force = Vector3::Zero();                  ///< force of the top layer and its plane on the mobile grains
+  Vector3 upper_plane = Vector3::Zero();                ///< forces of the upper planes on grains, each along its axis
   double pair_virial_x = 0.0, pair_virial_y = 0.0;      ///< sums over pairs of l_x f_x and l_y f_y
   Vector3 pair_virial_z = Vector3::Zero();              ///< sum over pairs of l_z f
 };
 
-/// Bagi's stress (eq. 12) of horizontal sections, in the form of `section_stress_from_forces`, and the lateral
-/// stresses: a rigid axis has that form as well, along a periodic one only pairs know the branch vector.
+/// Bagi's stress (eq. 12) on horizontal sections, in the form of `section_stress_from_forces`, and the lateral
+/// stresses. For a rigid lateral axis the same form applies. Along a periodic axis the branch vectors of the pairs are
+/// needed.
 inline CellStress stress_of(const StressSums& sums, const Cell& cell) {
-  // Compression positive: sum of z f - H F_top; the sign of shear is turned, as in `slope_stress`.
+  // Compression positive: sum of z f - H F_top. The sign of shear changes, as in `slope_stress`.
   const Vector3 rigid = sums.mobile_height_times_force - cell.height() * sums.top_force;
   const Vector3 section = (cell.periodic[2] ? sums.pair_virial_z : rigid) / cell.volume();
   const auto lateral = [&](int axis, double pair_virial) {

@@ -4,16 +4,16 @@
 
 namespace flowslide {
 
-/// The affine field of velocities by which the whole cell follows its boundaries, in terms of the velocities that an
-/// engine integrates:
+/// The affine velocity field with which the whole cell follows its boundaries:
 ///   u(x) = base + slope (z - origin) - rate (x - centre).
-/// The compression of a periodic axis carries positions and enters no velocity: it is no part of the field.
+/// It is expressed in the velocities that an engine integrates. It excludes the compression of a periodic axis, which
+/// moves the grains without changing their velocities.
 struct UniformFlow {
   Vector3 base = Vector3::Zero();    ///< velocity at the height `origin`, m/s
   Vector3 slope = Vector3::Zero();   ///< du/dz, 1/s
-  Vector3 rate = Vector3::Zero();    ///< rates of compression of the rigid lateral axes, 1/s; z is 0
-  Vector3 centre = Vector3::Zero();  ///< of the cell, m
-  double origin = 0.0;               ///< m
+  Vector3 rate = Vector3::Zero();    ///< compression rates of the rigid lateral axes, 1/s; the z component is 0
+  Vector3 centre = Vector3::Zero();  ///< centre of the cell, m
+  double origin = 0.0;               ///< height of `base`, m
 
   /// u at a position (m), m/s.
   Vector3 at(const Vector3& position) const {
@@ -21,9 +21,9 @@ struct UniformFlow {
   }
 };
 
-/// The field of a cell whose boundaries move. The planes of a rigid axis and the glued layers have its velocity where
-/// they are; nothing flows along a rigid lateral axis but by its compression. A cell that is periodic along z is
-/// sheared about its middle, because its momentum is conserved.
+/// The field of a cell with moving boundaries. At the planes of a rigid axis and at the glued layers it equals their
+/// velocity. Along a rigid lateral axis it contains only the compression. A cell that is periodic along z is sheared
+/// about its middle, because its momentum is conserved.
 inline UniformFlow uniform_flow(const Cell& cell, const BoundaryMotion& motion) {
   UniformFlow flow;
   flow.centre = 0.5 * (cell.lower + cell.upper);
@@ -43,7 +43,7 @@ inline UniformFlow uniform_flow(const Cell& cell, const BoundaryMotion& motion) 
   return flow;
 }
 
-/// The field that drag is relative to.
+/// The velocity field u of the drag force -c (v - u).
 inline UniformFlow drag_flow(DragReference reference, const Cell& cell, const BoundaryMotion& motion) {
   return reference == DragReference::rest ? UniformFlow{} : uniform_flow(cell, motion);
 }

@@ -4,8 +4,8 @@
 
 namespace flowslide {
 
-/// While one lives, this thread has the locale "C" for the functions of the C library: LIGGGHTS reads its commands with
-/// atof, which takes "0.5" for 0 where a host program has set a locale with a decimal comma. Other threads keep theirs.
+/// While an object of this class exists, this thread uses the locale "C" in the C library. Other threads keep their
+/// locale. Reason: LIGGGHTS reads its commands with atof, which reads "0.5" as 0 in a locale with a decimal comma.
 class CLocale {
  public:
   CLocale();

@@ -29,7 +29,7 @@ std::string box_command(const Cell& cell) {
   return line + " units box";
 }
 
-/// What the neighbour list reaches beyond touching, as a share of the smallest diameter.
+/// Range of the neighbour list beyond contact, as a fraction of the smallest diameter.
 constexpr double skin_share = 0.05;
 
 }  // namespace
@@ -40,12 +40,12 @@ std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSe
   const auto& periodic = assembly.cell.periodic;
   const auto boundary = [&](int axis) { return periodic[axis] ? 'p' : 'f'; };
   return {
-      "hard_particles yes",  // E = 2 GPa is refused otherwise; must be the first command
+      "hard_particles yes",  // otherwise LIGGGHTS refuses E = 2 GPa; must be the first command
       "units si",
       "atom_style granular",
       "atom_modify map array",
       fmt::format("boundary {} {} {}", boundary(0), boundary(1), boundary(2)),
-      "newton off",                // contact history needs both
+      "newton off",                // contact histories need this command and the next
       "communicate single vel yes",
       box_command(assembly.cell),
       fmt::format("create_box {} box", atom_types),
@@ -71,12 +71,12 @@ std::vector<std::string> grain_commands() {
   const int bottom = atom_type(Role::bottom_layer), top = atom_type(Role::top_layer);
   return {
       fmt::format("group mobile type {}", atom_type(Role::mobile)),
-      // Contacts within a glued layer do no work but would keep a stress for ever.
+      // Contacts within a glued layer do no work, but they would keep a stress forever.
       fmt::format("neigh_modify exclude type {0} {0}", bottom),
       fmt::format("neigh_modify exclude type {0} {0}", top),
       "fix integrate mobile nve/sphere",
-      "compute pair_virial all pressure thermo_temp virial",  // asked for at the last step of a run alone
-      "fix steering all viscous 0.0",  // holds the place of this project's own fix
+      "compute pair_virial all pressure thermo_temp virial",  // computed only at the last step of a run
+      "fix steering all viscous 0.0",  // placeholder for this project's own fix
   };
 }
 

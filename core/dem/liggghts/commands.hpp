@@ -7,25 +7,25 @@
 
 namespace flowslide {
 
-/// Atom types of LIGGGHTS stand for the roles of the grains.
+/// Atom type in LIGGGHTS of the role of a grain, and the reverse.
 constexpr int atom_type(Role role) { return static_cast<int>(role) + 1; }
 constexpr Role role_of(int atom_type) { return static_cast<Role>(atom_type - 1); }
 
-/// Room that the box of LIGGGHTS leaves beyond the planes of a rigid axis, as a share of the cell's length: planes may
-/// move outwards by this much.
+/// Distance between the box of LIGGGHTS and the planes of a rigid axis, as a fraction of the length of the cell. Planes
+/// may move outwards by this distance.
 inline constexpr double box_margin = 0.25;
 
-/// What becomes of the history of a pair that separates.
+/// Treatment of the history of a pair that separates.
 enum class SeparatedHistory {
-  cleared,  ///< at once, as the contact law says
-  kept      ///< until the next build of the neighbour list, as LIGGGHTS does by itself: it may come back to life
+  cleared,  ///< cleared at once, as in the contact law
+  kept      ///< kept until the next neighbour list, the default of LIGGGHTS: a new contact may continue the old history
 };
 
-/// Commands that set up a simulation of the grains of `assembly`, before any grain exists.
+/// Commands that set up a simulation of `assembly`, before any grain exists.
 std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSettings& settings,
                                         SeparatedHistory separated = SeparatedHistory::cleared);
 
-/// Commands that need the grains: which of them obey Newton's law, which pairs are left out.
+/// Commands that need the grains: which grains obey Newton's law, which pairs are excluded.
 std::vector<std::string> grain_commands();
 
 }  // namespace flowslide

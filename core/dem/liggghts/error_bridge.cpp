@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// LIGGGHTS reports every error through the class Error, whose methods end the process with exit(1) or MPI_Abort and,
-// with the screen off, without a word. They are exported functions of a shared library, so the definitions below take
-// their place (ELF symbol interposition) and turn an error into an exception that says what was going on.
+// LIGGGHTS reports every error through the class Error. Its methods end the process with exit(1) or MPI_Abort, without
+// a message if the screen is off. They are exported functions of a shared library. The definitions below therefore
+// replace them (ELF symbol interposition) and throw an exception that names the present activity.
 #include "dem/liggghts/error_bridge.hpp"
 
 #include <error.h>
@@ -30,13 +30,13 @@ std::string message(const char* text) {
          "\n  its log: " + activity.log.string();
 }
 
-/// An error that every rank reports together.
+/// An error that all ranks report together.
 [[noreturn]] void fail_together(const char* text) {
   ++liggghts_activity().errors;
   throw EngineError(message(text));
 }
 
-/// An error of one rank: the others wait in a collective call, so only ending all of them ends the run.
+/// An error of one rank. The others wait in a collective call, so that all ranks must be ended.
 [[noreturn]] void fail_alone(const char* text) {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);

@@ -5,11 +5,11 @@
 
 namespace flowslide {
 
-/// What LIGGGHTS is doing now; quoted when it reports an error.
+/// The present activity of LIGGGHTS, for error messages.
 struct LiggghtsActivity {
   std::string doing = "starting";
   std::filesystem::path log;
-  int errors = 0;  ///< reported so far in this process
+  int errors = 0;  ///< number of errors in this process so far
 };
 LiggghtsActivity& liggghts_activity();
 

@@ -25,7 +25,7 @@
 namespace flowslide {
 namespace {
 
-/// Instances that no engine uses, kept to be cleared and used again.
+/// Unused instances, which are cleared and used again.
 std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>>& idle() {
   static std::vector<std::unique_ptr<LAMMPS_NS::LAMMPS>> instances;
   return instances;
@@ -35,7 +35,7 @@ LAMMPS_NS::LAMMPS* start() {
   std::array<std::string, 5> words{"flowslide", "-log", "none", "-screen", "none"};
   std::array<char*, 5> arguments;
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  // Each instance after the first registers the contact models again and complains of it in hundreds of lines.
+  // Each instance after the first registers the contact models again and prints hundreds of warnings about it.
   const auto state = std::cerr.rdstate();
   std::cerr.setstate(std::ios::failbit);
   auto* instance = new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), MPI_COMM_WORLD);
@@ -61,7 +61,7 @@ LiggghtsInstance::LiggghtsInstance(std::filesystem::path log) : log_(std::move(l
 }
 
 LiggghtsInstance::~LiggghtsInstance() {
-  // After an error LIGGGHTS expects the process to end, and what it holds is in no state to be cleared or deleted.
+  // After an error LIGGGHTS expects the process to end. Its objects can then be neither cleared nor deleted.
   if (liggghts_activity().errors == errors_before_) idle().emplace_back(instance_);
 }
 
@@ -70,7 +70,7 @@ void LiggghtsInstance::enter(std::string activity) const {
   liggghts_activity().log = log_;
 }
 
-/// What LIGGGHTS' command `log` does, whose parser knows no path with quotes, "$" or "&".
+/// Does the same as the command `log` of LIGGGHTS, whose parser does not accept quotes, "$" or "&" in a path.
 void LiggghtsInstance::open_log() {
   int reason = 0;
   if (mpi_rank() == 0) {

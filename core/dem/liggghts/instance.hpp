@@ -9,8 +9,8 @@ class LAMMPS;
 
 namespace flowslide {
 
-/// One LIGGGHTS simulation inside this process, on all ranks of MPI_COMM_WORLD. It writes its log to a file and
-/// nothing to the screen. Errors inside LIGGGHTS arrive as `EngineError` and name the command and the log.
+/// One LIGGGHTS simulation in this process, on all ranks of MPI_COMM_WORLD. It writes its log to a file and nothing to
+/// the screen. Errors in LIGGGHTS throw EngineError; the message gives the command and the log.
 class LiggghtsInstance {
  public:
   /// Throws EngineError if the log cannot be written.
@@ -20,7 +20,7 @@ class LiggghtsInstance {
   LiggghtsInstance& operator=(const LiggghtsInstance&) = delete;
 
   void command(const std::string& line);
-  /// Says what LIGGGHTS is about to do, for the message of an error that no command caused.
+  /// Records the next activity of LIGGGHTS, for messages of errors that no command causes.
   void enter(std::string activity) const;
 
   LAMMPS_NS::LAMMPS& operator*() const { return *instance_; }

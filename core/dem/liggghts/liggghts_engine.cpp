@@ -63,7 +63,7 @@ Vector3 fold(const Cell& cell, Vector3 position) {
   return position;
 }
 
-/// Sliding faces are images that LIGGGHTS does not have.
+/// LIGGGHTS has no sheared periodic images, and this adapter does not compress a periodic z axis.
 void refuse_sliding_faces(const Cell& cell, const BoundaryMotion& motion) {
   const bool slides = cell.shear_offset != 0.0 || cell.shear_velocity != 0.0;
   const bool moves = motion.bottom_velocity != Vector3::Zero() || motion.top_velocity != Vector3::Zero();
@@ -132,8 +132,8 @@ void LiggghtsEngine::install_steering(const Cell& cell) {
   LAMMPS_NS::Modify& modify = *(*instance_)->modify;
   char id[] = "steering";
   const int place = modify.find_fix(id);
-  // Styles cannot be registered from outside the library, but its list of fixes is public: put ours in the place that
-  // grain_commands() made for it.
+  // A fix style cannot be registered from outside the library, but the list of fixes is public. The steering fix
+  // replaces the placeholder of grain_commands().
   delete modify.fix[place];
   steering_ = new SteeringFix(&**instance_, cell, settings_);
   modify.fix[place] = steering_;
@@ -148,7 +148,8 @@ void LiggghtsEngine::restore(const Assembly& assembly) {
   lammps.update->integrate->setup();
   lammps.update->first_update = 1;
   lammps.output->next = std::numeric_limits<LAMMPS_NS::bigint>::max();
-  // The set-up has evaluated forces with the velocities of the full step. Take back what the last step left.
+  // The set-up has evaluated forces with the velocities of the full step. Restores the histories and forces of the last
+  // step.
   write_histories(lammps, assembly.contacts);
   LAMMPS_NS::Atom& atom = *lammps.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
@@ -159,7 +160,7 @@ void LiggghtsEngine::restore(const Assembly& assembly) {
 }
 
 void LiggghtsEngine::set(const EngineSettings& settings) {
-  if (!(settings_.material == settings.material)) {  // LIGGGHTS has cached the properties of the material
+  if (!(settings_.material == settings.material)) {  // LIGGGHTS caches the properties of the material
     const BoundaryMotion motion = motion_;
     load(save(), settings);
     move(motion);
@@ -190,11 +191,11 @@ void LiggghtsEngine::advance(int steps) {
   update.nsteps = steps;
   update.firststep = update.beginstep = update.ntimestep;
   update.laststep = update.endstep = update.ntimestep + steps;
-  // Asks for the virial of the pairs at the last step, for the lateral stresses.
+  // Requests the virial of the pairs at the last step, for the lateral stresses.
   char pressure[] = "pair_virial";
   LAMMPS_NS::Modify& modify = *(*instance_)->modify;
   modify.compute[modify.find_compute(pressure)]->addstep(update.laststep);
-  // Nothing is set up again: `run N` through the command parser costs several steps at N = 1000.
+  // Runs without a new set-up, which in the command `run 1000` costs several steps.
   update.integrate->run(steps);
 }
 

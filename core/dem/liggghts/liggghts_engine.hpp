@@ -14,7 +14,7 @@ class SteeringFix;
 /// The reference engine: LIGGGHTS (Kloss et al. 2012, doi 10.1504/PCFD.2012.047457) in this process.
 class LiggghtsEngine : public Engine {
  public:
-  /// `log`: file that LIGGGHTS writes its log to.
+  /// `log` is the log file of LIGGGHTS.
   explicit LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated = SeparatedHistory::cleared);
   ~LiggghtsEngine() override;
 

@@ -13,11 +13,11 @@
 namespace flowslide {
 namespace {
 
-/// Places in LIGGGHTS' array of histories per pair: the tangential model comes first, then EPSD3.
+/// Offsets in the history array of a pair in LIGGGHTS: first the tangential model, then EPSD3.
 constexpr int spring_offset = 0, torque_offset = 3;
 
-/// Calls visit(i, j, history) for every touching pair of the neighbour list of this rank: local indices, j may be a
-/// ghost. With `newton off` a pair with a ghost stands in the list of either owner.
+/// Calls visit(i, j, history) for every touching pair in the neighbour list of this rank. i and j are local indices; j
+/// may be a ghost. With `newton off` a pair with a ghost is in the lists of both owners.
 template <typename Visit>
 void for_each_touching_pair(LAMMPS_NS::LAMMPS& lammps, Visit visit) {
   auto* pair = static_cast<LAMMPS_NS::PairGran*>(lammps.force->pair);

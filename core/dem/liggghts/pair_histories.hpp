@@ -10,10 +10,11 @@ class LAMMPS;
 
 namespace flowslide {
 
-/// Histories of the touching pairs that this rank answers for; over all ranks each pair appears once. Unsorted.
+/// Histories of the touching pairs of this rank, unsorted. Over all ranks each pair appears once.
 std::vector<ContactHistory> read_histories(LAMMPS_NS::LAMMPS& lammps);
 
-/// Gives every touching pair of the neighbour list the history it has in `contacts` (sorted by first, second), or none.
+/// Gives every touching pair of the neighbour list its history in `contacts`, or zero if it has none there. `contacts`
+/// is sorted by (first, second).
 void write_histories(LAMMPS_NS::LAMMPS& lammps, const std::vector<ContactHistory>& contacts);
 
 }  // namespace flowslide

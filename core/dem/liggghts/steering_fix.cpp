@@ -23,7 +23,7 @@ std::array<char*, 3> fix_arguments() {
 
 SteeringFix::SteeringFix(LAMMPS_NS::LAMMPS* lammps, const Cell& cell, const EngineSettings& settings)
     : Fix(lammps, 3, fix_arguments().data()), cell_(cell), settings_(settings) {
-  box_change_size = 1;  // the neighbour list then watches the box as well as the grains
+  box_change_size = 1;  // the neighbour list then also checks the motion of the box
 }
 
 int SteeringFix::setmask() { return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::POST_FORCE; }

@@ -9,9 +9,9 @@
 
 namespace flowslide {
 
-/// Moves the boundaries inside LIGGGHTS' own step, so that nothing has to be set up again between two calls of `run`:
-/// glued layers, planes, a cell that becomes shorter, and the drag of preparation. Planes are frictionless and elastic
-/// with the grains' own dashpot.
+/// Moves the boundaries within the time step of LIGGGHTS, so that `run` needs no new set-up: glued layers, planes and
+/// the lateral lengths of the cell. It also applies the drag of the preparation. Planes are frictionless and have the
+/// Hertz force and the dashpot of the grains.
 class SteeringFix : public LAMMPS_NS::Fix {
  public:
   SteeringFix(LAMMPS_NS::LAMMPS* lammps, const Cell& cell, const EngineSettings& settings);
@@ -25,9 +25,9 @@ class SteeringFix : public LAMMPS_NS::Fix {
   void set(const EngineSettings& settings) { settings_ = settings; }
   const Cell& cell() const { return cell_; }
 
-  /// Sums over the grains of this rank, of the last evaluation of forces; the virials of pairs are not among them.
+  /// Sums over the grains of this rank at the last evaluation of forces, without the virials of pairs.
   StressSums sums() const;
-  /// Grains of this rank with their centre inside the planes.
+  /// Number of grains of this rank whose centre is between the planes.
   std::uint64_t grains_inside() const;
 
  private:

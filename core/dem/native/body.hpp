@@ -3,19 +3,19 @@
 
 namespace flowslide::native {
 
-/// One grain as the contact pass reads it. `Real` is the precision of the law; positions are always double, as gaps are
-/// small differences of them. 96 bytes in double, 64 in float.
+/// One grain as the contact pass reads it: 96 bytes in double, 64 in float. `Real` is the precision of the law.
+/// Positions are always double, because gaps are small differences of positions.
 template <typename Real>
 struct alignas(32) Body {
   double position[3];  ///< m, folded into the cell
   double radius;       ///< m
-  Real velocity[3];    ///< m/s, of the half step while forces are evaluated
+  Real velocity[3];    ///< m/s, at the half step during the evaluation of forces
   Real mass;           ///< kg
   Real spin[3];        ///< rad/s
   Real inertia;        ///< kg m^2
 };
 
-/// A grain in another precision.
+/// A grain in the precision `Real`.
 template <typename Real>
 Body<Real> in_precision(const Body<double>& body) {
   Body<Real> other;
@@ -30,11 +30,11 @@ Body<Real> in_precision(const Body<double>& body) {
   return other;
 }
 
-/// What acts on a grain.
+/// Force and torque on a grain.
 template <typename Real>
 struct alignas(8 * sizeof(Real)) Load {
   Real force[3];  ///< N
-  Real unused0;   ///< 0, so that a row of four can be added to velocity and mass
+  Real unused0;   ///< 0, so that a row of four numbers can be added to velocity and mass
   Real torque[3];  ///< N m
   Real unused1;
 };

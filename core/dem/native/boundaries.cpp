@@ -60,7 +60,7 @@ void Boundaries::carry(std::vector<Body<double>>& bodies) const {
   for (int axis = 0; axis < 2; ++axis) {
     if (!cell_.periodic[axis]) continue;
     const double factor = 1.0 - rates(motion_)[axis] * settings_.time_step;
-    const double centre = 0.5 * (cell_.lower[axis] + cell_.upper[axis]);  // it does not move
+    const double centre = 0.5 * (cell_.lower[axis] + cell_.upper[axis]);  // not changed by `advance`
     for (std::size_t i = share_.begin; i < share_.end; ++i)
       bodies[i].position[axis] = centre + factor * (bodies[i].position[axis] - centre);
   }

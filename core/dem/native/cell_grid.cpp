@@ -30,7 +30,7 @@ CellGrid::CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, cons
   const double width = 2.0 * largest;
   for (int axis = 0; axis < 3; ++axis) {
     count_[axis] = std::max(1, static_cast<int>(length_[axis] / width));
-    count_[axis] = std::min(count_[axis], 256);  // a sparse cell needs no more
+    count_[axis] = std::min(count_[axis], 256);  // limits the number of bins of a sparse cell
   }
   start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
   std::vector<std::uint32_t> bin(grains);
@@ -73,7 +73,8 @@ void CellGrid::add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t
   }
 }
 
-/// The bins beyond a face along z do not stand over those of the cell: the row starts where the grain's image is.
+/// In a sheared cell the bins beyond a face along z are shifted along x. The row therefore starts at the image of the
+/// grain.
 void CellGrid::add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, const Share& share,
                                     std::vector<NearPair>& later, std::vector<NearPair>& earlier) const {
   const double x = sphere_[i].position[0] - image[2] * shear_offset_;
@@ -105,7 +106,7 @@ void CellGrid::add_pairs(std::uint32_t i, const Share& share, std::vector<NearPa
         add_across_the_shear(i, row, image, share, later, earlier);
         continue;
       }
-      // The bins along x stand side by side, but for those beyond a face of the cell.
+      // The bins along x are contiguous, except those beyond a face of the cell.
       const int from = std::max(centre[0] - 1, 0), to = std::min(centre[0] + 1, count_[0] - 1);
       image[0] = 0;
       add_from_bins(i, row + from, row + to, image, share, later, earlier);

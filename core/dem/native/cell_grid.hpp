@@ -10,21 +10,21 @@
 
 namespace flowslide::native {
 
-/// A pair of grains, and the image of the second that is near the first.
+/// A pair of grains, and the number of the image of the second grain that is near the first (see image_of).
 struct NearPair {
   std::uint32_t first, second;
   std::uint8_t image;
 };
 
-/// Bins of the grains, each as wide as the reach of the largest pair.
+/// A grid of bins for the grains. Each bin is at least as wide as the largest distance of a pair.
 class CellGrid {
  public:
-  /// `bodies` are folded into the cell; as many count as there are allowances, m, by which each reaches beyond its
-  /// surface.
+  /// `bodies` are folded into the cell. `allowance` (m), shape (n), is the range of each grain beyond its surface; only
+  /// the first n bodies count.
   template <typename Real>
   CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance);
-  /// Pairs nearer than touching plus the allowances of both, first < second, that the share owns at least one of,
-  /// sorted.
+  /// The pairs whose gap is below the sum of their allowances and of which the share owns at least one grain: first <
+  /// second, sorted.
   std::vector<NearPair> pairs(const Share& share) const;
 
  private:
@@ -43,9 +43,9 @@ class CellGrid {
   Vector3 lower_, length_;
   double shear_offset_;
   std::array<int, 3> count_;
-  std::vector<Sphere> sphere_;                 ///< by grain
-  std::vector<std::uint32_t> start_, member_;  ///< members of bin b: member_[start_[b]] up to start_[b + 1]
-  std::vector<Sphere> member_sphere_;          ///< by member
+  std::vector<Sphere> sphere_;                 ///< of each grain
+  std::vector<std::uint32_t> start_, member_;  ///< grains of bin b: member_[start_[b]] to member_[start_[b + 1] - 1]
+  std::vector<Sphere> member_sphere_;          ///< of each entry of member_
 };
 
 }  // namespace flowslide::native
