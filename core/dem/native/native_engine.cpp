@@ -19,14 +19,14 @@ namespace {
 using native::Body;
 using native::Share;
 
-/// Grains from which more than one thread pays: below, one run on each core gets more done.
+/// Number of grains from which several threads pay. For smaller samples one run per core is more efficient.
 constexpr std::size_t grains_for_threads = 10'000;
 
 bool mobile(Role role) { return role == Role::mobile; }
 
-/// Puts a grain where its image in the cell is.
+/// Moves a grain to its image in the cell.
 void fold(const Cell& cell, Body<double>& body) {
-  for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
+  for (int axis = 2; axis >= 0; --axis) {  // z first, because in a sheared cell folding along z changes x
     if (!cell.periodic[axis]) continue;
     const double length = cell.lengths()[axis];
     const double periods = std::floor((body.position[axis] - cell.lower[axis]) / length);
@@ -37,13 +37,13 @@ void fold(const Cell& cell, Body<double>& body) {
   }
 }
 
-/// The cell with the image above it that is nearest.
+/// The cell with its shear offset reduced to at most half a period.
 Cell numbered(Cell cell) {
   if (cell.shear_offset != 0.0) cell.shear_offset = std::remainder(cell.shear_offset, cell.lengths().x());
   return cell;
 }
 
-/// A cell whose faces along z slide over each other must have something to slide to.
+/// Throws EngineError for sheared faces unless the shear is along x, and x and z are periodic.
 void require_shear_along_periods(const Cell& cell, const Vector3& sliding) {
   if (sliding.y() == 0.0 && (sliding.x() == 0.0 || (cell.periodic[0] && cell.periodic[2]))) return;
   throw EngineError(fmt::format("the faces of the cell along z slide by {} m/s along x and {} m/s along y; they do so "
@@ -60,7 +60,7 @@ Vector3 torque_of(const Load& load) {
   return {load.torque[0], load.torque[1], load.torque[2]};
 }
 
-/// Pads of the pair list: two grains that never touch.
+/// Appends two grains that never touch, for the padding of the pair list.
 void pad(std::vector<Body<double>>& bodies, std::size_t n) {
   bodies[n + 1].position[0] = 1.0;
   for (std::size_t i : {n, n + 1}) {
@@ -114,7 +114,7 @@ void NativeEngine<Real>::take_grains(const Assembly& assembly, const Cell& cell)
   grains_.smallest_diameter = 2.0 * assembly.smallest_radius();
 }
 
-/// Whole blocks for each.
+/// Divides the grains into shares of whole blocks.
 template <typename Real>
 std::vector<Share> NativeEngine<Real>::shares(int threads) const {
   const std::size_t n = grains_.role.size(), blocks = grains_.moments.size();
@@ -180,7 +180,8 @@ void NativeEngine<Real>::take_loads(const Assembly& assembly) {
   }
 }
 
-/// What pairs across the faces of the cell and boundaries did in the last step, for a stress before the next.
+/// Computes the sums over pairs across the faces of the cell and over boundaries in the last step, so that the stress
+/// is defined before the next step.
 template <typename Real>
 void NativeEngine<Real>::take_last_step(const Assembly& assembly) {
   const ContactForces forces = evaluate_contact_forces(assembly, settings_.material, settings_.time_step);
@@ -192,7 +193,7 @@ void NativeEngine<Real>::take_last_step(const Assembly& assembly) {
                                    shift.z() * force.y(), shift.z() * force.z()};
     for (std::size_t k = 0; k < more.size(); ++k) across[k] += more[k];
   }
-  // Planes and drag saw the velocities of the half step.
+  // Planes and drag used the velocities of the half step.
   const std::vector<Body<double>> whole_step = grains_.bodies;
   for (std::size_t i = 0; i < assembly.size(); ++i)
     Vector3::Map(grains_.bodies[i].velocity) -= grains_.kick[i] * assembly.force[i];
@@ -234,7 +235,7 @@ void NativeEngine<Real>::prepare_law() {
 
 template <typename Real>
 void NativeEngine<Real>::set(const EngineSettings& settings) {
-  if (settings.material.density != settings_.material.density) {  // grains and pairs keep their masses
+  if (settings.material.density != settings_.material.density) {  // grains and pairs store their masses
     const BoundaryMotion motion = motion_;
     load(save(), settings);
     move(motion);
@@ -258,14 +259,14 @@ void NativeEngine<Real>::move(const BoundaryMotion& motion) {
   }
 }
 
-/// Gives the grains the change of the linear field.
+/// Adds the change of the linear velocity field to the grains.
 template <typename Real>
 void NativeEngine<Real>::slide_faces(const Vector3& sliding) {
   const Cell cell = this->cell();
   require_shear_along_periods(cell, sliding);
   const double change = (sliding.x() - cell.shear_velocity) / cell.height();
   if (change == 0.0) return;
-  finish_step();  // so that a run that goes on from a saved state adds in the same order
+  finish_step();  // so that a run that continues from a saved state adds in the same order
   const double middle = 0.5 * (cell.lower.z() + cell.upper.z());
   for (std::size_t i = 0; i < grains_.role.size(); ++i)
     if (mobile(grains_.role[i]))
@@ -275,7 +276,7 @@ void NativeEngine<Real>::slide_faces(const Vector3& sliding) {
 template <typename Real>
 void NativeEngine<Real>::run(std::int64_t steps) {
   if (steps <= 0) return;
-  team_->run([this, steps](int number) {  // the end of the last run's last step joins the first begin
+  team_->run([this, steps](int number) {  // the first begin includes the end of the last step of the previous run
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
     if (law_is_new_) worker.list().forget(grains_.variant);
     int turn = 1;
@@ -330,7 +331,7 @@ Cell NativeEngine<Real>::cell() const {
   return workers_.at(0).boundaries().cell();
 }
 
-/// The grains as the last evaluation of forces saw them.
+/// The grains with the velocities of the last evaluation of forces.
 template <typename Real>
 std::vector<Body<Real>> NativeEngine<Real>::at_half_step() const {
   std::vector<Body<Real>> rounded;

@@ -12,29 +12,31 @@
 
 namespace flowslide {
 
-/// How the native engine goes about its work. No bit of a result depends on it.
+/// Options of the native engine. No bit of a result depends on them.
 struct NativeOptions {
-  int threads = 0;                   ///< 0: one below 10 000 grains, else one for each core
-  double first_allowance = 1e-3;     ///< by how much a grain may stray at first before the pair list is built anew, in
-                                     ///< smallest diameters
-  std::string instruction_set = {};  ///< empty: the widest that the processor has
+  int threads = 0;                   ///< 0: one thread below 10 000 grains, otherwise one per core
+  double first_allowance = 1e-3;     ///< first allowed deviation of a grain at rest before the pair list is built
+                                     ///< anew, in smallest diameters
+  std::string instruction_set = {};  ///< empty: the widest of the processor
 };
 
-/// This project's own engine: the same law, scheme and order of operations as LIGGGHTS with histories cleared at
-/// separation, in tiles of contacts for wide vectors (see native/contact_pass.hpp). Second order in dt_L without
-/// dashpots, which see the velocities of the half step and make it first order. Same bits for any number of threads,
-/// time of building the pair list, compiler and instruction set. Ranks of MPI each compute the same.
+/// The engine of this project: the same law, scheme and order of operations as LIGGGHTS with histories cleared at
+/// separation. It computes contacts in tiles for wide vectors (see native/contact_pass.hpp). It is of second order in
+/// dt_L without dashpots. Dashpots use the velocities of the half step, which reduces the order to one. Results have
+/// the same bits for any number of threads, rebuild time of the pair list, compiler and instruction set. Every MPI rank
+/// computes the whole sample.
 ///
-/// `Real` is the precision of the law, the histories and the sums of forces; positions, gaps and the integration are in
-/// double. In float, forces carry rounding of 1e-7 of the largest: prepare samples in double. save() then says which
-/// histories are at their caps, because a dashpot acts below the cap alone and rounding would hide on which side a
-/// contact is. Forces that `evaluate_contact_forces` finds from the saved state agree with those of the step to 2e-6 of
-/// the largest contact force, also at 4 m/s, where velocities are rounded to 2e-7 m/s.
+/// `Real` is the precision of the law, the histories and the sums of forces. Positions, gaps and the integration are in
+/// double. With float, forces have a rounding error of 1e-7 of the largest force: prepare samples in double. save()
+/// then states which histories are at their caps, because dashpots act only below the cap and rounding may hide the
+/// side of the cap. From the saved state `evaluate_contact_forces` computes forces within 2e-6 of the largest contact
+/// force of the step, also at 4 m/s, where velocities are rounded to 2e-7 m/s.
 ///
-/// A cell that is periodic along z is sheared across its faces (Lees and Edwards 1972). When its rate changes, every
-/// mobile grain gets the change of the linear field about the middle of the cell; else the faces, which are no place in
-/// the sample, would drive it like walls. It is the impulse of the SLLOD equations of motion (P. J. Daivis and B. D.
-/// Todd, J. Chem. Phys. 124 (2006) 194103), which at a constant rate are Newton's.
+/// A cell that is periodic along z is sheared across its faces (Lees and Edwards 1972). When the shear rate changes,
+/// every mobile grain receives the change of the linear field about the middle of the cell. Otherwise the faces would
+/// drive the sample like walls, although their position in the sample is arbitrary. This is the impulse of the SLLOD
+/// equations of motion (P. J. Daivis and B. D. Todd, J. Chem. Phys. 124 (2006) 194103), which at a constant rate are
+/// Newton's.
 template <typename Real>
 class NativeEngine : public Engine {
  public:
@@ -72,10 +74,10 @@ class NativeEngine : public Engine {
   native::Grains<Real> grains_;
   std::vector<native::Worker<Real>> workers_;
   std::unique_ptr<native::ThreadTeam> team_;
-  bool half_step_ = false;            ///< velocities are those of the last half step: its end waits for the next begin
-  bool law_is_new_ = true;            ///< since the last run: histories may be there that it does not keep
-  std::vector<std::uint32_t> glued_;  ///< grains that are not mobile
-  StressSums sums_;                   ///< of the last step
+  bool half_step_ = false;            ///< true: velocities are at the half step, without the last half kick
+  bool law_is_new_ = true;            ///< true: the law may have changed since the last run; clear unused histories
+  std::vector<std::uint32_t> glued_;  ///< indices of the glued grains
+  StressSums sums_;                   ///< sums of the last step
   std::size_t inside_ = 0;
 };
 

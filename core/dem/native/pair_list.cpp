@@ -66,7 +66,7 @@ void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::ve
     const double *a = bodies[i].position, *b = bodies[j].position, *shift = shift_[image];
     const double x = a[0] - (b[0] + shift[0]), y = a[1] - (b[1] + shift[1]), z = a[2] - (b[2] + shift[2]);
     const double reach = c.first_radius + allowance[i] + (c.second_radius + allowance[j]);
-    columns_.put(pairs_, c, image);  // the next one replaces it if it is too far
+    columns_.put(pairs_, c, image);  // the next candidate replaces it if the grains are too far apart
     pairs_ += x * x + y * y + z * z < reach * reach;
   }
   std::size_t padded = pairs_;
@@ -136,7 +136,7 @@ Vector3 PairList<Real>::history(std::size_t first_component, std::size_t pair) c
 template <typename Real>
 void PairList<Real>::add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
                                    const PairList* eased) const {
-  // Rounding in float shortens a history by less than 2e-7 of itself, and leaves one at its cap within 4e-7 of it.
+  // Rounding in float shortens a history by a fraction below 2e-7, and leaves a capped history within 4e-7 of its cap.
   const auto cap = [](const Vector3& history, const Vector3& in_eased) {
     if (history.isZero(0.0)) return Cap::unknown;
     return in_eased.norm() < (1.0 - 0.3 * easing) * history.norm() ? Cap::reached : Cap::below;

@@ -9,45 +9,46 @@
 
 namespace flowslide::native {
 
-/// The neighbour list: all pairs nearer than touching plus the allowances of both grains of which a share owns at least
-/// one, sorted by (first, second), first < second, pairs of one glued layer left out. Open pairs add exact zeros, so
-/// results depend neither on the allowances nor on when it is built. It is built from the pairs of a search with wider
-/// allowances, which costs more (Pall and Hess 2013, doi 10.1016/j.cpc.2013.06.003, prune theirs alike). `Real` is the
-/// precision of constants and histories.
+/// The neighbour list of a share: all pairs whose gap is below the sum of the allowances of both grains and of which
+/// the share owns at least one grain. Pairs of one glued layer are excluded. Sorted by (first, second), first < second.
+/// Open pairs contribute exact zeros, so that results depend neither on the allowances nor on the time of building. A
+/// list is built from the pairs of a search with wider allowances. A search costs more and is rarer (Pall and Hess
+/// 2013, doi 10.1016/j.cpc.2013.06.003, prune their lists in this way). `Real` is the precision of constants and
+/// histories.
 template <typename Real>
 class PairList {
  public:
   using Bodies = std::vector<Body<Real>>;
   explicit PairList(const Share& share) : share_(share) {}
 
-  /// Finds the pairs that lists are built from, of `bodies` that are folded into the cell; the last two stand in for no
-  /// grain and pad the last tile. `allowance`: m, of each grain. Build the list next.
+  /// Finds the pairs from which lists are built. `bodies` are folded into the cell; the last two are no grains but pad
+  /// the last tile. `allowance` (m), shape (n), is that of each grain. Call `build` next.
   void search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
               const std::vector<double>& allowance);
-  /// Builds the list anew and keeps the histories of pairs that were in it before. `allowance`: m, of each grain; no
-  /// more than what is left of those of the search.
+  /// Builds the list and keeps the histories of pairs that were in the list before. `allowance` (m), shape (n): at most
+  /// the remaining allowance of the search for each grain.
   void build(const Cell& cell, const Bodies& bodies, const std::vector<double>& allowance);
-  /// A grain was folded by so many periods, 1 or -1, along an axis: its pairs meet other images.
+  /// Renumbers the images of the pairs of a grain that was folded by `periods` (1 or -1) along an axis.
   void carry(std::uint32_t grain, int axis, int periods);
-  /// Forgets all histories and takes these, sorted by (first, second); the list must have been built.
+  /// Replaces all histories by `contacts`, sorted by (first, second). Precondition: the list was built.
   void set_histories(const std::vector<ContactHistory>& contacts);
-  /// Forgets the histories that a law without these parts does not keep.
+  /// Clears the histories that this variant of the law does not use.
   void forget(LawVariant variant);
-  /// Adds the histories of the pairs that touch and whose first grain the share owns. `eased`: a copy of this list
-  /// after a contact pass with no time step and friction lowered to (1 - easing) of itself. A history that is shorter
-  /// there is at its cap. Without it, caps are unknown.
+  /// Appends the histories of touching pairs whose first grain the share owns. `eased` is a copy of this list after a
+  /// contact pass with a time step of 0 and with the friction multiplied by (1 - easing). A history that is shorter in
+  /// this copy is at its cap. Without `eased`, caps are unknown.
   void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
                      const PairList* eased = nullptr) const;
   static constexpr double easing = 1e-6;
 
-  /// What the contact pass needs; valid until the list changes. `cell` gives the periods of this moment.
+  /// The input of the contact pass, valid until the list changes. `cell` gives the present periods.
   PairView<Real> view(const Cell& cell);
   std::size_t pairs() const { return pairs_; }
-  /// Separation x_first - x_second of a pair, nearest image as of the last build, m.
+  /// Separation x_first - x_second of a pair, with the nearest image at the last build, m.
   Vector3 separation(std::size_t pair, const Bodies& bodies) const;
 
  private:
-  /// A pair that was found, with the constants of its law.
+  /// A pair of the search, with the constants of its law.
   struct Candidate {
     NearPair pair;
     double first_radius, second_radius;
@@ -58,7 +59,7 @@ class PairList {
     std::vector<std::uint8_t> image;
     std::vector<double> first_radius, second_radius;
     std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia;
-    std::array<std::vector<Real>, 6> history;  ///< spring, rolling torque
+    std::array<std::vector<Real>, 6> history;  ///< three components of the spring, three of the rolling torque
     void resize(std::size_t pairs);
     void put(std::size_t p, const Candidate& candidate, std::uint8_t image_now);
   };
@@ -69,10 +70,10 @@ class PairList {
 
   Share share_;
   std::vector<Candidate> candidates_;
-  std::vector<int> folded_;  ///< by how much each grain's folds since the search change the image of its pairs
-  Candidate nobody_{};       ///< pads
+  std::vector<int> folded_;  ///< change of the image number of each grain's pairs by folds since the search
+  Candidate nobody_{};       ///< padding pair
   std::size_t pairs_ = 0;
-  Columns columns_, old_;  ///< of this list and the one before, whose memory is used again
+  Columns columns_, old_;  ///< of this list and of the one before; its memory is used again
   alignas(32) double shift_[27][4] = {};
 };
 

@@ -23,7 +23,7 @@ FLOWSLIDE_DECLARE_PASSES(avx512)
 
 namespace {
 
-/// The two makers of one compilation.
+/// The functions of one instruction set that return its passes.
 struct Maker {
   const char* set;
   Passes<double> (*doubles)();
@@ -43,7 +43,7 @@ constexpr Maker makers[] = {
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> sets{"baseline"};
 #ifdef FLOWSLIDE_X86
-  // What -march=x86-64-v3 and -v4 may use.
+  // The features that -march=x86-64-v3 and -v4 may use.
   const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&

@@ -17,10 +17,11 @@ struct Passes {
   MomentPass<Real> moments;
 };
 
-/// Instruction sets of this build that this processor has, the narrowest, "baseline", first.
+/// Instruction sets of this build that the processor supports, from the narrowest, "baseline", to the widest.
 std::vector<std::string> instruction_sets();
 
-/// The passes of one of them; throws std::invalid_argument for another name. `Real` is double or float.
+/// The passes for one of these instruction sets. Throws std::invalid_argument for another name. `Real` is double or
+/// float.
 template <typename Real>
 Passes<Real> passes(const std::string& instruction_set);
 

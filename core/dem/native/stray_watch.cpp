@@ -23,7 +23,7 @@ template <typename Real>
 bool StrayWatch<Real>::spend(double pace, double measured, double reach, bool compressed) {
   ++age_;
   slack_ = measures_ ? measured - 0.5 * reach * drift_.steepness() : slack_ - pace;
-  const bool exhausted = measures_ && slack_ < 4.0 * pace;  // measuring at every step costs more than a list
+  const bool exhausted = measures_ && slack_ < 4.0 * pace;  // a measurement at every step costs more than a new list
   compressed_ = compressed_ || compressed;
   measures_ = !compressed_ && slack_ < 2.0 * pace;
   return exhausted || !(slack_ > 0.0);

@@ -8,40 +8,42 @@
 
 namespace flowslide::native {
 
-/// How long a list holds of all pairs nearer than touching plus the allowances of both grains: as long as none has
-/// strayed from the mean flow by more than its allowance. The ways are bounded step by step and measured only when the
-/// bound is used up. Every worker watches its own grains and hears of the others'; all come to the same answer.
+/// Checks whether a pair list is still complete. The list has all pairs whose gap is below the sum of their allowances.
+/// It is complete as long as no grain deviates from the mean flow by more than its allowance. The deviations are
+/// bounded step by step, and measured only when the bound is used up. Every worker checks its own grains and receives
+/// the results of the others, so that all workers decide the same.
 template <typename Real>
 class StrayWatch {
  public:
-  /// Starts anew where the grains of the share are now; `allowance` of all grains, m.
+  /// Starts at the present positions of the grains of the share. `allowance` (m), shape (n), is that of all grains.
   void start(const Share& share, const std::vector<Body<double>>& bodies, const std::vector<double>& allowance);
-  /// The boundaries' field carries the grains on by a step of `time_step`, s.
+  /// Adds the displacement of the mean flow in a step of `time_step` (s).
   void follow(const MeanFlow& flow, double time_step) { drift_.add(flow, time_step); }
-  /// A grain was carried by `way`, m, along an axis, by no motion of its own.
+  /// Accounts for a fold of a grain by `way` (m) along an axis.
   void carry(std::size_t grain, int axis, double way) { start_[grain].position[axis] += way; }
-  /// A grain was folded by so many heights of a sheared cell, and along x with them: as far as its image was away at the
-  /// start, from where on the mean flow drifts as that of the other layer.
+  /// Accounts for the shift along x of a grain that was folded by `layers` heights (1 or -1) of a sheared cell: the
+  /// shear offset at the start of the list. The mean drift at the new height contains the rest of the shift.
   void cross_the_shear(std::size_t grain, int layers, const Cell& cell) {
     carry(grain, 0, layers * (cell.shear_offset - drift_.gradient[0] * cell.height()));
   }
-  /// Whether the ways are to be measured after this step.
+  /// Whether the deviations must be measured after this step.
   bool measures() const { return measures_; }
-  /// Least allowance that is left to the share's grains, m.
+  /// Smallest remaining allowance of the grains of the share, m.
   double measure(SlackPass<Real> slack, const MovingGrains<Real>& grains) const {
     return slack(drift_, start_.data(), grains);
   }
-  /// A step in which no way grew by more than `pace`, m; `measured`: the least over all shares, if it was asked for;
-  /// `reach`: largest distance of two centres in the list, m; `compressed`: grains were carried sidewards, which is not
-  /// measured. Returns whether the list must be made anew.
+  /// Accounts for one step. Returns whether the list must be built anew. `pace` (m) is an upper bound of the growth of
+  /// a deviation in this step. `measured` (m) is the smallest remaining allowance over all shares, used only if
+  /// `measures()` was true. `reach` (m) is the largest distance of two centres in the list. `compressed` is true if the
+  /// periods moved grains, which the measurement does not include.
   bool spend(double pace, double measured, double reach, bool compressed);
-  /// Steps since the start.
+  /// Number of steps since the start.
   std::int64_t age() const { return age_; }
 
  private:
-  std::vector<Start> start_;  ///< of all grains; only those of the share count
+  std::vector<Start> start_;  ///< of all grains; only those of the share are used
   MeanDrift drift_;
-  double slack_ = 0.0;  ///< lower bound of the least allowance that is left, m
+  double slack_ = 0.0;  ///< lower bound of the smallest remaining allowance, m
   bool compressed_ = false, measures_ = false;
   std::int64_t age_ = 0;
 };

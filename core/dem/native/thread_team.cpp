@@ -10,9 +10,9 @@
 namespace flowslide::native {
 namespace {
 
-/// Looks at a barrier before a thread gives its core away: some microseconds, less than a step takes.
+/// Number of checks of a barrier before a thread yields its core: some microseconds, less than a step.
 constexpr int looks_before_yield = 2000;
-/// Yields before a thread without a task sleeps: a task follows soon while a sample is sheared.
+/// Number of yields before a thread without a task sleeps. While a sample is sheared, the next task follows soon.
 constexpr int yields_before_sleep = 200;
 
 }  // namespace

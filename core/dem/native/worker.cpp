@@ -9,16 +9,20 @@
 namespace flowslide::native {
 namespace {
 
-/// Pairs are searched with wide allowances; from those found, lists with narrow ones are built, several a search: a
-/// list then has few open pairs, at little cost. As shares of the smallest diameter, `most` for the search.
+/// A search uses wide allowances. Several lists with narrow allowances are built from the pairs of one search: each
+/// list then has few open pairs at low cost. Bounds of the allowances, as fractions of the smallest diameter: of a
+/// grain at rest in a list, of any grain in a list, and of any grain in a search (`most`).
 constexpr double least_at_rest = 2e-4, most_at_rest = 0.01, most_in_list = 0.02, most = 0.05;
-/// Allowances of the search, of those of the list.
+/// Ratio of the allowances of a search to those of a list.
 constexpr double wider = 12.0;
-/// Steps that a list should last: fewer, and grains are allowed more; more, and less. No result depends on it.
+/// Desired life of a list in steps. If a list lasts for fewer steps, the allowances grow; if it lasts for more, they
+/// shrink. No result depends on this.
 constexpr std::int64_t shortest_age = 8, longest_age = 32;
-/// A fast grain is allowed what it goes in that many steps, so that some rattlers do not burden the lists of all.
+/// The allowance of a grain includes its motion in this number of steps, so that a few fast rattlers do not make all
+/// lists short-lived.
 constexpr double steps_of_fast_grains = 16.0;
-/// Pairs after which grains whose loads are complete go on while they are in the cache. No result depends on it.
+/// Number of pairs after which grains with complete loads are moved, while they are in the cache. No result depends on
+/// it.
 constexpr std::size_t pairs_at_once = 4 * tile_size;
 
 }  // namespace
@@ -54,10 +58,10 @@ MovingGrains<Real> Worker<Real>::moving(const Share& part, int from, int to) {
 
 template <typename Real>
 void Worker<Real>::fold(std::vector<Body<double>>& bodies, std::vector<Fold>& folds) {
-  // At every step, not when the list is built: a folded coordinate rounds differently.
+  // At every step, not only when the list is built, because a folded coordinate rounds differently.
   const Cell& cell = boundaries_.cell();
   for (std::size_t i = share_.begin; i < share_.end; ++i)
-    for (int axis = 2; axis >= 0; --axis) {  // z first: in a sheared cell it changes x
+    for (int axis = 2; axis >= 0; --axis) {  // z first, because in a sheared cell folding along z changes x
       double& x = bodies[i].position[axis];
       const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
       if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
@@ -115,7 +119,8 @@ void Worker<Real>::meet(const std::vector<Worker>& all, int turn) {
     search_slack = std::min(search_slack, news.search_slack);
     for (const Fold& fold : news.folds) list_.carry(fold.grain, fold.axis, fold.periods);
   }
-  // Two neighbours, or a grain and a plane, meet by what both stray and by what the mean flow does over their distance.
+  // Two neighbours, or a grain and a plane, approach by their deviations from the mean flow and by the mean flow over
+  // their distance.
   const double reach = longest_reach(grains_);
   const double pace = grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach) +
                                            boundaries_.side_speed());
@@ -156,7 +161,7 @@ void Worker<Real>::rebuild(int turn) {
 template <typename Real>
 void Worker<Real>::build(int turn) {
   const double size = grains_.smallest_diameter;
-  if (watch_.age() > 0) {  // not the first
+  if (watch_.age() > 0) {  // not for the first list
     if (watch_.age() < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
     if (watch_.age() > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
   }
@@ -175,7 +180,7 @@ void Worker<Real>::sum_loads(int turn, AcrossFaces* across, Then then) {
     pairs.begin = pairs.end;
     pairs.end = std::min(all, pairs.begin + pairs_at_once);
     passes_.contacts(grains_.variant, grains_.law, pairs, grains_.seen(turn).data(), loads_.data(), across);
-    // Pairs are sorted by their first grain, the smaller: what comes has no grain before it.
+    // Pairs are sorted by their first, smaller grain: no later pair has a grain before it.
     part.end = share_.end;
     if (pairs.end < all)
       part.end = std::clamp<std::size_t>(pairs.first[pairs.end] / block_size * block_size, part.begin, share_.end);

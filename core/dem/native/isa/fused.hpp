@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Sums of products, each product fused with its sum into one operation with one rounding (IEEE 754, 5.4.1), written out
-// by us instead of left to the compiler: as fast as what it would find, and with the same bits from all of them. A
-// processor without such an operation gets it from the C library, with the same bits, slowly.
+// Sums of products with fused operations: product and sum have one common rounding (IEEE 754, 5.4.1). They are written
+// explicitly, so that all compilers give the same bits, at no loss of speed. For a processor without such an operation
+// the C library computes it with the same bits, but slowly.
 #pragma once
 #include <cmath>
 

@@ -10,10 +10,10 @@
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// Fills a tile with separations, relative velocities and spins of the pairs from `start` on.
+/// Fills a tile with separations, relative velocities and spins of the pairs from index `start`.
 template <typename Real, bool Spins>
 inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
-  // Addresses once for all that is read there.
+  // Computes each address once for all reads.
   const Body<Real>*first[tile_size], *second[tile_size];
   const double* shift_of[tile_size];
   for (int k = 0; k < tile_size; ++k) {
@@ -53,15 +53,16 @@ inline void fetch(const PairView<Real>& pairs, std::size_t start, const Body<Rea
   }
 }
 
-/// Makes the velocities of a tile those relative to the images of a sheared cell.
+/// Makes the velocities of a tile relative to the moving images of a sheared cell.
 template <typename Real>
 inline void follow_images(const PairView<Real>& pairs, std::size_t start, Tile<Real>& t) {
   for (int k = 0; k < Tile<Real>::size; ++k)
     t.velocity[0][k] -= static_cast<Real>(layer_of(pairs.image[start + k])) * pairs.image_velocity;
 }
 
-/// Distance of two centres and gap between two spheres, from the square of the distance. In float, the gap is taken
-/// from the difference of the squares, in double: a difference of two lengths in float would be all rounding.
+/// Inverse distance of two centres and overlap of two spheres, from the square of the distance (m^2) and the sum of the
+/// radii `touching` (m). With float, the overlap comes from the difference of the squares in double, because the
+/// rounding of two lengths in float would exceed their difference.
 template <typename Real>
 inline void measure(double squared, double touching, Real& inverse_distance, Real& overlap) {
   if constexpr (std::is_same_v<Real, double>) {
@@ -79,7 +80,7 @@ inline void measure(double squared, double touching, Real& inverse_distance, Rea
   }
 }
 
-/// Fills a tile with geometry and motion of the pairs from `start` on.
+/// Fills a tile with geometry and motion of the pairs from index `start`.
 template <typename Real, bool Spins>
 inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
   t.effective_radius = pairs.effective_radius + start;
@@ -111,7 +112,7 @@ inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Re
     if constexpr (Spins) {
       for (int axis = 0; axis < 3; ++axis) {
         const Real spin_first = t.surface_spin[axis][k], spin_second = t.relative_spin[axis][k];
-        t.surface_spin[axis][k] = first * spin_first + second * spin_second;  // unfused: the same from either grain
+        t.surface_spin[axis][k] = first * spin_first + second * spin_second;  // unfused: symmetric in both grains
         t.relative_spin[axis][k] = spin_first - spin_second;
       }
     }

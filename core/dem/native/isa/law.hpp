@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contact law of the native engine, over a tile of contacts: what a newcomer changes to try another law.
+// The contact law of the native engine for a tile of contacts. Change this file to try another law.
 #pragma once
 #include <cmath>
 
@@ -11,16 +11,16 @@
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling (equations: grains/contact_law.hpp), for the
-/// lanes of a tile. Reads geometry and motion, advances the histories, writes force and torques.
+/// Hertz normal force, tangential history with Coulomb cap, and EPSD3 rolling (equations: grains/contact_law.hpp) for
+/// all contacts of a tile. Reads geometry and motion, advances the histories, and writes forces and torques.
 ///
-/// No branch: the overlap of an open pair is 0, which makes stiffness, forces and caps exactly 0, and scaling a history
-/// to min(1, cap/size) of itself then clears it. `Sliding` and `Rolling` say which parts the scene needs; rolling needs
-/// sliding.
+/// There is no branch. The overlap of an open pair is 0, which makes stiffness, forces and caps exactly 0. The scaling
+/// of a history by min(1, cap/size) then clears it. `Sliding` and `Rolling` select the parts of the law; rolling
+/// requires sliding.
 template <typename Real, bool Sliding, bool Rolling>
 inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
   using std::fma;
-  constexpr Real tiny = smallest_argument<Real>;  // keeps 0/0 away and nothing else
+  constexpr Real tiny = smallest_argument<Real>;  // only avoids 0/0
   const Real* __restrict radii = t.effective_radius;
   const Real* __restrict root_masses = t.root_effective_mass;
   const Real* __restrict root_inertias = t.root_rolling_inertia;
@@ -42,7 +42,7 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
 
     Real fx = 0, fy = 0, fz = 0;  // tangential force
     if constexpr (Sliding) {
-      // v_t = v - (v.n) n - W x n, W = c_1 w_1 + c_2 w_2; the spring advances and turns with the contact.
+      // v_t = v - (v.n) n - W x n, W = c_1 w_1 + c_2 w_2; the spring advances and is projected on the contact plane.
       const Real wx = t.surface_spin[0][k], wy = t.surface_spin[1][k], wz = t.surface_spin[2][k];
       const Real vx = fma(-vn, nx, ux) - difference_of_products(nz, wy, ny, wz);
       const Real vy = fma(-vn, ny, uy) - difference_of_products(nx, wz, nz, wx);
@@ -104,7 +104,7 @@ inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
     t.force[0][k] = fma(normal, nx, fx);
     t.force[1][k] = fma(normal, ny, fy);
     t.force[2][k] = fma(normal, nz, fz);
-    // Torques: the lever arm times F_t x n on either, minus the rolling torque on the first, plus on the second.
+    // Torques: lever arm times F_t x n on both grains; minus the rolling torque on the first, plus on the second.
     const Real qx = difference_of_products(nz, fy, ny, fz);
     const Real qy = difference_of_products(nx, fz, nz, fx);
     const Real qz = difference_of_products(ny, fx, nx, fy);

@@ -15,7 +15,7 @@ inline DoubleRow smaller(DoubleRow a, DoubleRow b) { return a < b ? a : b; }
 inline DoubleRow larger(DoubleRow a, DoubleRow b) { return a > b ? a : b; }
 inline bool any(Mask mask) { return (mask[0] | mask[1] | mask[2]) != 0; }
 
-/// Where a grain is put: see MovingGrains.
+/// Destination of a moved grain, see MovingGrains.
 template <bool Begin, typename Real>
 inline Body<double>* after(const MovingGrains<Real>& g, std::size_t i) {
   if constexpr (Begin && std::is_same_v<Real, double>)
@@ -24,8 +24,8 @@ inline Body<double>* after(const MovingGrains<Real>& g, std::size_t i) {
     return g.bodies + i;
 }
 
-/// The motion pass with its part known at compile time. The last number of a row of loads is 0, so that mass and
-/// inertia, which stand behind velocity and spin, stay what they are.
+/// The motion pass for a part that is known at compile time. The last number in a row of loads is 0. Mass and inertia,
+/// which follow velocity and spin in memory, therefore do not change.
 template <typename Real, bool End, bool Begin>
 inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& box,
                            const MovingGrains<Real>& grains) {
@@ -33,7 +33,7 @@ inline MotionExtremes move(double time_step, const MeanFlow& flow, const Box& bo
   const DoubleRow base = row_at(flow.base), slope = row_at(flow.slope);
   const DoubleRow lower = row_at(box.lower), upper = row_at(box.upper);
   DoubleRow lowest = lower, highest = lower, fastest{};
-  const MovingGrains<Real> g = grains;  // a copy, which no store can change
+  const MovingGrains<Real> g = grains;  // a copy: the compiler then knows that stores do not change it
   const double origin = flow.origin;
   for (std::size_t i = g.begin; i < g.end; ++i) {
     Body<double>& body = g.bodies[i];
@@ -81,12 +81,12 @@ inline double slack(const MeanDrift& drift, const Start* start, const MovingGrai
   return least;
 }
 
-/// Which of three coordinates lie outside a box or are no numbers.
+/// Mask of the coordinates that are outside a box or NaN.
 inline Mask outside(DoubleRow position, DoubleRow lower, DoubleRow upper) {
   return (position < lower) | (position > upper) | (position != position);
 }
 
-/// See MomentPass. Positions are those that the contact pass has read, so that they are in the cache.
+/// See MomentPass. Reads the positions of the contact pass, because they are in the cache.
 template <typename Real>
 inline Moments moments(const double* origin, const double* weight_of_glued, const Box& box,
                        const MovingGrains<Real>& g) {
@@ -104,7 +104,7 @@ inline Moments moments(const double* origin, const double* weight_of_glued, cons
   }
   Moments sums;
   sums.inside = g.end - g.begin;
-  for (std::size_t i = g.begin; i < g.end && any(lost); ++i)  // hardly ever
+  for (std::size_t i = g.begin; i < g.end && any(lost); ++i)  // rarely runs
     sums.inside -= any(outside(row_at(g.published[i].position), lower, upper));
   put_row(sums.height_times_force, height_times_force);
   put_row(sums.moment, moment);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // The contact pass, in tiles of contacts with three short loops each (gather, law, scatter), and the passes over
-// grains. Compiled once per instruction set (see core/CMakeLists.txt) into a namespace of its own, so that no function
-// for wide vectors is ever linked elsewhere.
+// grains. This file is compiled once per instruction set (see core/CMakeLists.txt), each time into a separate
+// namespace. No function for wide vectors can thus be linked into other code.
 #include "dem/native/isa/gather.hpp"
 #include "dem/native/isa/law.hpp"
 #include "dem/native/isa/motion.hpp"

@@ -5,7 +5,7 @@
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// Four numbers that are read, added and stored at once (a vector extension of g++ and clang++, on any processor).
+/// Four numbers that are read, added and stored together (a vector extension of g++ and clang++ for any processor).
 using DoubleRow = double __attribute__((vector_size(32), may_alias));
 using FloatRow = float __attribute__((vector_size(16), may_alias));
 template <typename Real>

@@ -10,7 +10,7 @@ namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
 #ifdef __AVX512F__
-/// The eight numbers of a load at once.
+/// The eight numbers of a load as one vector.
 template <typename Real>
 struct WholeLoad {
   using Type = double __attribute__((vector_size(64), may_alias));
@@ -21,11 +21,11 @@ struct WholeLoad<float> {
 };
 #endif
 
-/// Adds row `number` of a band of forces and of one of torques to a load.
+/// Adds row `number` of a band of forces and of a band of torques to a load.
 template <int number, typename Real>
 inline void add_rows(Load<Real>& load, Band<Real> force, Band<Real> torque) {
 #ifdef __AVX512F__
-  // Force and torque stand side by side: added at once.
+  // Force and torque are adjacent in memory and are added together.
   using Whole = typename WholeLoad<Real>::Type;
   constexpr int f = 4 * number, t = f + 4 * rows_in_band<Real>;
   *reinterpret_cast<Whole*>(&load) +=
@@ -36,7 +36,7 @@ inline void add_rows(Load<Real>& load, Band<Real> force, Band<Real> torque) {
 #endif
 }
 
-/// Adds what the law has found to the grains, pair after pair in the order of the list.
+/// Adds the forces and torques of a tile to the loads of the grains, pair after pair in the order of the list.
 template <typename Real, bool Spins>
 inline void scatter(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, Load<Real>* loads) {
   constexpr int lanes = lanes_of_bands<Real>;
@@ -68,8 +68,8 @@ inline void scatter(const PairView<Real>& pairs, std::size_t start, const Tile<R
   }
 }
 
-/// Adds the products of shift and force of pairs that meet across a face of the cell to the blocks of their first
-/// grains. They are few: eight pairs are looked at at once.
+/// Adds the products of shift and force of pairs across a face of the cell to the blocks of their first grains (see
+/// AcrossFaces). Such pairs are few: the loop checks eight pairs at once.
 template <typename Real>
 inline void add_across(const PairView<Real>& pairs, std::size_t start, const Tile<Real>& t, AcrossFaces* across) {
   constexpr std::uint64_t inside = 0x0101010101010101u * image_of(0, 0, 0);

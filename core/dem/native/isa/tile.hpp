@@ -5,8 +5,8 @@
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// A run of contacts that is worked on at once, as arrays that stay in the first-level cache. Filled by `gather`,
-/// turned into forces by the law, emptied by `scatter`. The first index of two is the component.
+/// A group of contacts that are computed together, as arrays that fit in the first-level cache. `gather` fills it, the
+/// law computes forces, and `scatter` adds them to the grains. The first of two indices is the component.
 template <typename Real>
 struct Tile {
   static constexpr int size = tile_size;
@@ -19,16 +19,16 @@ struct Tile {
   alignas(64) Lanes<Real> overlap;           ///< m; 0 for an open pair
   alignas(64) Lanes<Real> root, fourth_root; ///< (R* overlap)^(1/2), m, and (R* overlap)^(1/4)
   alignas(64) Lanes<Real> velocity[3];       ///< v_1 - v_2, m/s
-  alignas(64) Lanes<Real> surface_spin[3];   ///< c_1 w_1 + c_2 w_2, m/s; the spin of the first until then, rad/s
-  alignas(64) Lanes<Real> relative_spin[3];  ///< w_1 - w_2, rad/s; the spin of the second until then
+  alignas(64) Lanes<Real> surface_spin[3];   ///< c_1 w_1 + c_2 w_2, m/s; after `fetch` w_1, rad/s
+  alignas(64) Lanes<Real> relative_spin[3];  ///< w_1 - w_2, rad/s; after `fetch` w_2
   alignas(64) Lanes<Real> arm[2];            ///< c_1, c_2: lever arms R - overlap/2, m
-  // Constants of the pairs and their histories, which the law advances: where they stand in the list.
+  // Pointers into the pair list: constants of the pairs, and their histories, which the law advances.
   const Real* effective_radius;      ///< R*, m
   const Real* root_effective_mass;   ///< sqrt(m*)
   const Real* root_rolling_inertia;  ///< sqrt(I_r)
   Real* spring[3];                   ///< m
   Real* rolling_torque[3];           ///< N m
-  // What the law makes of it.
+  // Results of the law.
   alignas(64) Lanes<Real> force[3];      ///< on the first, N
   alignas(64) Lanes<Real> torque[2][3];  ///< on the first and on the second, N m
 };

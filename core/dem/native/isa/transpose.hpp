@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// Rows of x, y, z, w of several grains to columns of x, y and z, and back. A Band holds as many rows as the widest
-// register does, four lanes apart, so that a transposition of 4 x 4 within each part of it serves all of them.
+// Transposes rows (x, y, z, w) of several grains to columns of x, y and z, and back. A Band contains as many rows as
+// the widest register; its rows belong to grains that are four lanes apart. A 4 x 4 transposition within each part of
+// the band then transposes all rows.
 #pragma once
 #ifdef __AVX512F__
 #include <immintrin.h>
@@ -30,7 +31,7 @@ struct BandOf<float> {
 template <typename Real>
 using Band = typename BandOf<Real>::Type;
 
-/// Rows in a band, and lanes that four bands hold.
+/// Number of rows in a band, and number of lanes in four bands.
 template <typename Real>
 inline constexpr int rows_in_band = sizeof(Band<Real>) / sizeof(Row<Real>);
 template <typename Real>
@@ -40,7 +41,7 @@ inline constexpr int lanes_of_bands = 4 * rows_in_band<Real>;
 template <typename Real, typename Numbers>
 inline Band<Real> band_of(Numbers numbers) {
 #ifdef __AVX512F__
-  // Inserted from memory, which leaves the one port that can shuffle to the transpositions.
+  // Inserts from memory: the only port that can shuffle is then free for the transpositions.
   if constexpr (std::is_same_v<Real, double>)
     return _mm512_insertf64x4(_mm512_zextpd256_pd512(_mm256_load_pd(numbers(0))), _mm256_load_pd(numbers(1)), 1);
   else {
@@ -76,7 +77,8 @@ inline FloatRow row_of(FloatBand band) {
 }
 #endif
 
-// In each 128 bits: the first, or the last, numbers of a and b by turns; the first, or the last, halves of a and b.
+// In each 128 bits, `mixed` alternates the first (or last) numbers of a and b; `halves` joins the first (or last)
+// halves of a and b.
 inline DoubleRow first_mixed(DoubleRow a, DoubleRow b) { return __builtin_shufflevector(a, b, 0, 4, 2, 6); }
 inline DoubleRow last_mixed(DoubleRow a, DoubleRow b) { return __builtin_shufflevector(a, b, 1, 5, 3, 7); }
 inline DoubleRow first_halves(DoubleRow a, DoubleRow b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
@@ -112,8 +114,8 @@ inline FloatBand last_halves(FloatBand a, FloatBand b) {
 }
 #endif
 
-// first_mixed(a, 0). In double as a blend, which has the same bits: g++ 12 may take the unpacking of a register that it
-// has just loaded and 0 for the doubling of that register (vmovddup), and does under the thread sanitizer.
+// first_mixed(a, 0). In double it is a blend, with the same bits. Reason: under the thread sanitizer g++ 12 compiles
+// the unpacking of a newly loaded register with 0 to a doubling of this register (vmovddup), which is wrong.
 inline DoubleRow first_alone(DoubleRow a) { return __builtin_shufflevector(a, DoubleRow{}, 0, 5, 2, 7); }
 inline FloatRow first_alone(FloatRow a) { return first_mixed(a, FloatRow{}); }
 #ifdef __AVX512F__
@@ -132,7 +134,7 @@ inline Band<Real> band_at(const Real* numbers) {
   return *reinterpret_cast<const Band<Real>*>(numbers);
 }
 
-/// Writes the x, y and z of four bands as columns.
+/// Writes x, y and z of four bands as columns.
 template <typename Real>
 inline void put_columns(const Band<Real> (&b)[4], Real* x, Real* y, Real* z) {
   if constexpr (std::is_same_v<Real, double>) {  // mixing gives x (or y) and z (or w) of two rows
@@ -148,7 +150,7 @@ inline void put_columns(const Band<Real> (&b)[4], Real* x, Real* y, Real* z) {
   }
 }
 
-/// The way back: four bands of rows x, y, z, 0.
+/// The inverse: four bands of rows (x, y, z, 0) from columns.
 template <typename Real>
 inline void get_bands(const Real* x, const Real* y, const Real* z, Band<Real> (&b)[4]) {
   const Band<Real> none{}, xs = band_at(x), ys = band_at(y), zs = band_at(z);
