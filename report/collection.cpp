@@ -26,7 +26,7 @@ Relation relation_of(const std::string& symbol) {
   throw std::invalid_argument(fmt::format("a claim has the relation \"{}\", which is not known", symbol));
 }
 
-/// Files of a folder with this ending, by name; none when there is no folder.
+/// Files of a folder with this ending, sorted by name; none if the folder is absent.
 std::vector<fs::path> files_with(const fs::path& folder, std::string_view ending) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
@@ -74,7 +74,7 @@ CaseResults& case_named(std::vector<CaseResults>& cases, const std::string& name
   return *found;
 }
 
-/// Pictures that figures.txt does not name, such as those of a case beyond the paper.
+/// Adds pictures that figures.txt does not list, such as those of a case beyond the paper.
 void add_other_pictures(CaseResults& the_case) {
   for (const fs::path& picture : files_with(the_case.folder, ".png")) {
     const std::string name = picture.stem().string();
@@ -91,7 +91,7 @@ std::vector<Verdict> verdicts_from_json(std::string_view text) {
     for (const nlohmann::json& entry : nlohmann::json::parse(text)) {
       Verdict verdict;
       const auto string = [&](const char* key) { return entry.at(key).get<std::string>(); };
-      const auto number = [&](const char* key) {   // a number that is not finite is written as null
+      const auto number = [&](const char* key) {   // null stands for a number that is not finite
         const nlohmann::json& value = entry.at(key);
         return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
       };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// report: writes what the results of all cases hold as one HTML page. ./reproduce --report calls it.
+// report: writes the results of all cases as one HTML page. ./reproduce --report calls it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -16,7 +16,7 @@
 namespace flowslide {
 namespace {
 
-/// Puts the text of each link to a file where the link was.
+/// Replaces each link to a file by its text.
 void unlink_files(cmark_node* document) {
   std::vector<cmark_node*> links;
   const std::unique_ptr<cmark_iter, void (*)(cmark_iter*)> nodes(cmark_iter_new(document), cmark_iter_free);

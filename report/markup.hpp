@@ -7,22 +7,22 @@
 
 namespace flowslide {
 
-/// Text as HTML shows it: no character of it is taken for markup, in an element or in a quoted attribute.
+/// Text escaped for HTML, for use in an element or in a quoted attribute.
 std::string escaped(std::string_view text);
 
-/// A file as a relative link from a page in `folder`, percent-encoded.
+/// Relative link, percent-encoded, to a file from a page in `folder`.
 std::string link_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-/// A file as a "data:" URL, so that a page carries it along. Throws FileError when it cannot be read.
+/// The content of a file as a "data:" URL, which a page can contain. Throws FileError if the file cannot be read.
 std::string data_url(const std::filesystem::path& file, std::string_view media_type);
 
-/// Markdown as GitHub reads it (tables too), as HTML. Raw HTML in it is left out; links to files, which would lead
-/// nowhere from another folder, become their text.
+/// HTML of GitHub's Markdown, tables included. Raw HTML is left out. Links to files become text, because they would not
+/// work from another folder.
 std::string html_of_markdown(const std::string& markdown);
 
-/// Text of a Markdown file: that of its first heading; empty without one.
+/// The first heading of level 1 in a Markdown text; empty without one.
 std::string first_heading(const std::string& markdown);
-/// What stands under "## title" up to the next "## "; empty when there is none.
+/// The text between "## title" and the next "## "; empty without this heading.
 std::string section(const std::string& markdown, const std::string& title);
 
 }  // namespace flowslide

@@ -27,7 +27,7 @@ std::string title_of(const CaseResults& results) {
   return title.empty() ? results.name : title;
 }
 
-/// What makes the results of a case again.
+/// The command that makes the results of a case again.
 std::string command_of(const CaseResults& results, const std::string& options) {
   std::string figures;
   for (const Figure& figure : results.figures)
@@ -36,7 +36,7 @@ std::string command_of(const CaseResults& results, const std::string& options) {
   return (figures.empty() ? program : "./reproduce" + figures) + (options.empty() ? "" : " " + options);
 }
 
-/// A word and a sign beside the colour, for whoever sees none.
+/// A verdict as word, sign and colour: it is readable without colours.
 std::string verdict_mark(Ruling ruling, std::string_view word) {
   const bool is_met = ruling == Ruling::met, is_open = ruling == Ruling::not_evaluated;
   return fmt::format("<span class=\"mark {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
@@ -66,7 +66,7 @@ std::string claims_table(const std::vector<Verdict>& verdicts) {
   return html + "</tbody></table></div>\n";
 }
 
-/// "Fig. 3" for "fig03", whose number is the paper's.
+/// "Fig. 3" for "fig03", with the number in the paper; other names do not change.
 std::string printed_name(const std::string& name) {
   int number = 0;
   const char* const end = name.data() + name.size();
@@ -114,7 +114,7 @@ std::string case_html(const CaseResults& results, const PageSetting& setting) {
   return html + "</section>\n";
 }
 
-/// The claims of this ruling, each with the reason; nothing if there are none.
+/// The claims with this ruling, each with its reason; empty if there are none.
 std::string list_of_claims(const std::vector<CaseResults>& cases, Ruling ruling, const char* title) {
   std::string items;
   for (const CaseResults& results : cases)
@@ -165,7 +165,7 @@ std::string header(const std::vector<CaseResults>& cases, const std::string& sca
       escaped(scale), claims_met, claims, figures, runs);
 }
 
-// On paper nothing can be unfolded.
+// Opens all folded sections before printing.
 constexpr const char* script =
     "addEventListener('beforeprint', () => document.querySelectorAll('details').forEach(d => { d.open = true; }));";
 

@@ -9,14 +9,14 @@
 namespace flowslide {
 
 struct PageSetting {
-  std::string scale;              ///< as it is called on the page
-  std::string options;            ///< what ./reproduce was told beside figures, to make these results
+  std::string scale;              ///< name of the scale on the page
+  std::string options;            ///< options of ./reproduce, besides figures, that made these results
   std::string style;              ///< CSS
-  std::filesystem::path folder;   ///< where the page will lie; links lead from there to data
+  std::filesystem::path folder;   ///< folder of the page; links to data start there
 };
 
-/// The report as one HTML page that needs no network and no other file: pictures, style and script are in it.
-/// Throws FileError for a picture or table that cannot be read.
+/// The report as one HTML page. It contains pictures, style and script, and needs no network. Throws FileError for a
+/// picture or table that cannot be read.
 std::string report_page(const std::vector<CaseResults>& cases, const PageSetting& setting);
 
 }  // namespace flowslide

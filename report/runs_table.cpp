@@ -40,7 +40,7 @@ std::string row(const Run& run, const std::filesystem::path& folder) {
       escaped(from.start_time), escaped(run.configuration_hash), escaped(code_state(from)), escaped(run.sample));
 }
 
-/// What is mostly alike for all runs, once each: compiler and host, and how the runs were called.
+/// Compilers, hosts and commands of the runs, each different one once.
 std::string origins(const std::vector<Run>& runs) {
   std::set<std::string> builds, commands;
   for (const Run& run : runs) {
