@@ -11,14 +11,15 @@ namespace flowslide {
 /// Throws std::invalid_argument unless `allowed`. The message names the property of the slope, its value, the allowed
 /// range and the remedy.
 inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
-                             const std::string& mend) {
+                             const std::string& remedy) {
   if (allowed) return;
-  throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, mend));
+  throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, remedy));
 }
 
 /// The same for a value that must be finite and > 0.
-inline void require_positive(const std::string& name, double value, const std::string& unit, const std::string& mend) {
-  require_of_slope(std::isfinite(value) && value > 0.0, name, value, "finite and > 0 " + unit, mend);
+inline void require_positive(const std::string& name, double value, const std::string& unit,
+                             const std::string& remedy) {
+  require_of_slope(std::isfinite(value) && value > 0.0, name, value, "finite and > 0 " + unit, remedy);
 }
 
 }  // namespace flowslide

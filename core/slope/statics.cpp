@@ -18,10 +18,10 @@ double buoyant_mass_per_area(const SlopeProperties& slope) {
 }  // namespace
 
 void validate(const SlopeProperties& slope) {
-  const std::string density_mend = "Give the density in kg/m^3, such as 1500.";
-  require_positive("saturated density", slope.saturated_density, "kg/m^3", density_mend);
-  require_positive("dry density", slope.dry_density, "kg/m^3", density_mend);
-  require_positive("water density", slope.water_density, "kg/m^3", density_mend);
+  const std::string density_remedy = "Give the density in kg/m^3, such as 1500.";
+  require_positive("saturated density", slope.saturated_density, "kg/m^3", density_remedy);
+  require_positive("dry density", slope.dry_density, "kg/m^3", density_remedy);
+  require_positive("water density", slope.water_density, "kg/m^3", density_remedy);
   require_of_slope(slope.saturated_density > slope.water_density, "saturated density", slope.saturated_density,
                    fmt::format("more than the water density {} kg/m^3", slope.water_density),
                    "Give the density of soil and pore water together.");
