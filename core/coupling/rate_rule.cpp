@@ -26,8 +26,8 @@ void check(const ConstantInertialNumber& rule) {
   check(rule.inertial_number, rule.grains);
   require(rule.smallest_rate >= 0.0, "smallest strain rate", rule.smallest_rate, ">= 0 1/s",
           "It bounds the time that a liquefied sample takes.");
-  require(rule.smallest_rate_from >= 0.0, "strain from which the floor is the smallest strain rate", rule.smallest_rate_from,
-          ">= 0", "0 lets it hold from the start.");
+  require(rule.smallest_rate_from >= 0.0, "strain from which the floor is the smallest strain rate",
+          rule.smallest_rate_from, ">= 0", "0 lets it hold from the start.");
 }
 
 void check(const GlobalRateAtLeastQuasiStatic& rule) { check(rule.inertial_number, rule.grains); }

@@ -14,7 +14,7 @@ namespace flowslide {
 namespace {
 
 /// Larger values count as not finite. No slope reaches this value, and sums of smaller values in a record stay finite.
-constexpr double unsound = 1e100;
+constexpr double finite_limit = 1e100;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void Slide::step() {
 }
 
 void Slide::check_finite() const {
-  const auto sound = [](double value) { return std::abs(value) < unsound; };
+  const auto sound = [](double value) { return std::abs(value) < finite_limit; };
   if (sound(state_.velocity) && sound(state_.sliding.displacement) && sound(state_.strain.norm()) &&
       sound(state_.stress.shear) && sound(state_.stress.normal))
     return;
