@@ -15,8 +15,8 @@ namespace flowslide {
 namespace {
 
 /// Time for which a failed rank waits for the end of the others. Ranks with the same failure end at once.
-constexpr std::chrono::seconds patience{10};
-constexpr std::chrono::milliseconds time_between_looks{5};
+constexpr std::chrono::seconds longest_wait{10};
+constexpr std::chrono::milliseconds poll_interval{5};
 
 /// A number whose minimum over the ranks selects the common code: failures come first, ordered by rank, then claims
 /// that are not met, then success. Its lowest 8 bits are the code.
@@ -62,8 +62,8 @@ int same_exit_code(int code) {
   for (int done = 0; !done;) {
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done) break;
-    if (failed(code) && std::chrono::steady_clock::now() - begun > patience) MPI_Abort(MPI_COMM_WORLD, code);
-    std::this_thread::sleep_for(time_between_looks);
+    if (failed(code) && std::chrono::steady_clock::now() - begun > longest_wait) MPI_Abort(MPI_COMM_WORLD, code);
+    std::this_thread::sleep_for(poll_interval);
   }
   return static_cast<int>(first & 0xFF);
 }

@@ -23,10 +23,10 @@ constexpr std::array stop_signals{SIGTERM, SIGUSR1, SIGINT};
 constexpr double walltime_share = 0.05, longest_reserve = 5.0;
 
 volatile sig_atomic_t received_reason = 0;
-int users = 0;
-std::array<struct sigaction, stop_signals.size()> before;
+int signal_users = 0;
+std::array<struct sigaction, stop_signals.size()> previous_actions;
 
-void note(int signal) {
+void record_signal(int signal) {
   if (signal == SIGINT) {
     if (received_reason == static_cast<int>(StopReason::interrupt)) ::_exit(to_int(ExitCode::interrupted));
     received_reason = static_cast<int>(StopReason::interrupt);
@@ -38,18 +38,18 @@ void note(int signal) {
 }  // namespace
 
 StopSignals::StopSignals() {
-  if (users++ > 0) return;
+  if (signal_users++ > 0) return;
   received_reason = 0;
   struct sigaction action {};
-  action.sa_handler = note;
+  action.sa_handler = record_signal;
   action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
-  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &action, &before[i]);
+  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &action, &previous_actions[i]);
 }
 
 StopSignals::~StopSignals() {
-  if (--users > 0) return;
-  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &before[i], nullptr);
+  if (--signal_users > 0) return;
+  for (std::size_t i = 0; i < stop_signals.size(); ++i) ::sigaction(stop_signals[i], &previous_actions[i], nullptr);
 }
 
 StopReason StopSignals::received() { return static_cast<StopReason>(received_reason); }
