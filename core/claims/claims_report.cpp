@@ -49,8 +49,8 @@ std::string terminal_table(const std::vector<Verdict>& verdicts) {
     text += line + '\n';
     if (i == 0 || verdicts[i - 1].ruling == Ruling::met) continue;
     const Verdict& verdict = verdicts[i - 1];
-    const bool said = i > 1 && verdict.reason == verdicts[i - 2].reason;  // print a common reason once
-    text += fmt::format("         {}({})\n", said ? "" : verdict.reason + " ", verdict.claim.sentence);
+    const bool repeated = i > 1 && verdict.reason == verdicts[i - 2].reason;  // print a common reason once
+    text += fmt::format("         {}({})\n", repeated ? "" : verdict.reason + " ", verdict.claim.sentence);
   }
   return text;
 }

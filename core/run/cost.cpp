@@ -23,11 +23,12 @@ Cost cost_of(std::span<const Provenance> points) {
 
 std::string cost_text(const Cost& cost) {
   if (cost.recorded == 0) return "cost: not recorded";
-  const int silent = cost.points - cost.recorded;
+  const int unrecorded = cost.points - cost.recorded;
   return fmt::format("cost: {} of processor time, {} predicted{}", duration_text(cost.processor_seconds),
                      duration_text(cost.predicted_seconds),
-                     silent > 0 ? fmt::format("; without {} of {} points, which did not record it", silent, cost.points)
-                                : "");
+                     unrecorded > 0
+                         ? fmt::format("; without {} of {} points, which did not record it", unrecorded, cost.points)
+                         : "");
 }
 
 }  // namespace flowslide

@@ -19,8 +19,8 @@ constexpr const char* first_line = "case name = ";
 RunIdentity::RunIdentity(const std::string& case_name, const std::string& point, RunInputs inputs,
                          std::string configuration, const RunVersions& versions)
     : inputs_(std::move(inputs)), configuration_(std::move(configuration)) {
-  const auto add = [&](const std::string& name, const std::string& value) { beyond_ += name + " = " + value + "\n"; };
-  beyond_ = first_line + case_name + "\n";
+  const auto add = [&](const std::string& name, const std::string& value) { context_ += name + " = " + value + "\n"; };
+  context_ = first_line + case_name + "\n";
   add("point name", point);
   if (inputs_.engine.empty() != versions.engine.empty() ||
       inputs_.preparation_engine.empty() != versions.preparation.empty())
@@ -33,7 +33,7 @@ RunIdentity::RunIdentity(const std::string& case_name, const std::string& point,
   for (const InputTable& table : inputs_.tables) add(table.name + " table", content_of(table));
 }
 
-RunIdentity::RunIdentity(const Result& made) : beyond_(made.identity), configuration_(made.configuration) {
+RunIdentity::RunIdentity(const Result& made) : context_(made.identity), configuration_(made.configuration) {
   inputs_.tables = made.inputs;
 }
 
@@ -54,7 +54,7 @@ std::string RunIdentity::difference_from(const RunIdentity& there) const {
 void RunIdentity::stamp(Result& result) const {
   result.configuration = configuration_;
   result.configuration_hash = hash_of(configuration_);
-  result.identity = beyond_;
+  result.identity = context_;
   result.inputs = inputs_.tables;
 }
 

@@ -37,7 +37,7 @@ class RunIdentity {
   static RunIdentity from_text(const std::string& text);
 
   /// Lines "name = value".
-  std::string text() const { return beyond_ + configuration_; }
+  std::string text() const { return context_ + configuration_; }
   const std::string& configuration() const { return configuration_; }
   const RunInputs& inputs() const { return inputs_; }
 
@@ -52,7 +52,7 @@ class RunIdentity {
   RunIdentity() = default;
 
   RunInputs inputs_;
-  std::string beyond_;         ///< all except the configuration; its names contain a blank, which no key does
+  std::string context_;        ///< all except the configuration; its names contain a blank, which no key does
   std::string configuration_;  ///< resolved configuration
 };
 

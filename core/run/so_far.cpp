@@ -36,7 +36,7 @@ std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>
 
 /// Copies the files of one run. Returns false if it has neither a usable result nor a usable checkpoint.
 bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std::string& point,
-                const RunIdentity& identity, std::string& said) {
+                const RunIdentity& identity, std::string& progress) {
   copy.remove_point(point);
   const FoundResult found = find_result(output.file(point + OutputFolder::result_end), identity);
   if (found.standing == Standing::complete) {
@@ -44,15 +44,15 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
     for (auto end = OutputFolder::point_ends.rbegin(); end != OutputFolder::point_ends.rend(); ++end)
       if (fs::exists(output.file(point + *end)))
         fs::copy(output.file(point + *end), copy.file(point + *end), fs::copy_options::recursive);
-    said += fmt::format("{}: complete\n", point);
+    progress += fmt::format("{}: complete\n", point);
     return true;
   }
   const auto last = last_checkpoint(output, point);
   if (const std::string problem = problem_of(found, last, identity); !problem.empty()) {
-    said += fmt::format("{}: left out: {}\n", point, problem);
+    progress += fmt::format("{}: left out: {}\n", point, problem);
     return false;
   }
-  said += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
+  progress += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
   if (!last) return false;
   Table table = table_of(last->so_far);
   write_table(copy.file(point + ".dat"), table);
@@ -68,15 +68,15 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
 
 std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
                         const std::map<std::string, RunIdentity>& points) {
-  std::string said;
+  std::string progress;
   bool any = false;
-  for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, said) || any;
+  for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, progress) || any;
   if (!any)
     throw Refused(
         fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
                     "written every --checkpoint-interval\n{}",
-                    output.path().string(), said));
-  return said;
+                    output.path().string(), progress));
+  return progress;
 }
 
 }  // namespace flowslide
