@@ -63,7 +63,7 @@ PreparedSample prepared(const StoredSample& stored) {
 std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const std::string& label,
                                  const ProgressStyle& style, const PreparationBorder& border) {
   std::optional<FileLock> lock;
-  for (bool said = false;; said = true) {
+  for (bool reported = false;; reported = true) {
     on_first_rank([&] {
       try {
         lock = store.try_lock(key);
@@ -73,7 +73,7 @@ std::optional<FileLock> wait_for(const SampleStore& store, const std::string& ke
                         "a folder that has it or may be written",
                         label, error.what()));
       }
-      if (!lock && !said)
+      if (!lock && !reported)
         style.say(fmt::format("{}: waits for {}, which prepares this sample ({})", label, store.holder(key), key));
     });
     if (same_on_all_ranks(lock.has_value())) return lock;
@@ -121,7 +121,7 @@ FailedSample failed(const SampleRecipe& recipe, const std::string& reason) {
 }
 
 /// Provides the sample of a recipe: from the cache, or by a preparation whose result is then stored in the cache.
-struct Trials {
+struct SampleProvider {
   Engine& engine;
   const SampleStore& store;
   const std::filesystem::path& folder;
@@ -203,11 +203,11 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& preparation
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
                         const ProgressStyle& style, const PreparationBorder& border) {
   const SampleStore store(cache);
-  const Trials trials{engine, store, cache, style, border};
+  const SampleProvider provider{engine, store, cache, style, border};
   FoundSample found;
   const auto prepare = [&](const SampleRecipe& recipe) {
-    found.sample = trials.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
-                                                     specification.target.void_ratio, found.trials + 1));
+    found.sample = provider.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
+                                                        specification.target.void_ratio, found.trials + 1));
     ++found.trials;
     found.health = packing_health(found.sample.assembly, recipe);
     if (const std::string uneven = unevenness(found.health); !uneven.empty() && !specification.allow_uneven)
