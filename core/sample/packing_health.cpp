@@ -22,7 +22,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void look_at_slices(AxisHealth& health, const std::vector<double>& void_ratios) {
+void measure_slices(AxisHealth& health, const std::vector<double>& void_ratios) {
   health.slices = static_cast<int>(void_ratios.size());
   if (health.slices < fewest_slices) return;
   const double middle = mean(void_ratios);
@@ -42,7 +42,7 @@ AxisHealth axis_health(const Assembly& sample, const SampleRecipe& recipe, int a
   AxisHealth health;
   std::vector<double> void_ratios = void_ratio_profile(sample, axis, slices_of_a_diameter(sample, axis));
   if (!recipe.periodic_height) void_ratios = without_wall_layers(void_ratios);
-  look_at_slices(health, void_ratios);
+  measure_slices(health, void_ratios);
   const double cross_section = sample.cell.volume() / sample.cell.lengths()[axis];
   health.counting = counting_deviation(cross_section, sample.mean_diameter());
   const int sites = recipe.packing.counts[axis];
