@@ -88,8 +88,8 @@ void RunControl::border_of_preparation(const std::function<bool()>& keep) {
   const bool kept_it = keep();
   kept();
   if (due == Due::stop)
-    stop(kept_it ? "its sample is being prepared, and the same command goes on with that"
-                 : "what it was at has no checkpoint and begins anew; complete samples are kept in the cache");
+    stop(kept_it ? "its sample is being prepared; the same command continues the preparation"
+                 : "the interrupted work has no checkpoint and starts again; complete samples are kept in the cache");
 }
 
 void RunControl::stop(const std::string& what) const {

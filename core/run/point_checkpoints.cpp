@@ -25,7 +25,7 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
   // cppcheck-suppress useInitializationList
   const auto read = [&](const hdf5::Group& root) { found_ = read_checkpoint(root); };
   const auto complain = [](std::string_view word) {
-    say(fmt::format("flowslide: {}; the one before is looked for", word));
+    say(fmt::format("flowslide: {}; trying the checkpoint before it", word));
   };
   try {
     if (store_.read_newest(read, complain) == 0) return;

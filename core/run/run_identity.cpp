@@ -24,7 +24,7 @@ RunIdentity::RunIdentity(const std::string& case_name, const std::string& point,
   add("point name", point);
   if (inputs_.engine.empty() != versions.engine.empty() ||
       inputs_.preparation_engine.empty() != versions.preparation.empty())
-    throw std::invalid_argument("a run of " + point + " is known by the versions of its engines");
+    throw std::invalid_argument("the identity of the run " + point + " needs the version of each of its engines");
   if (!inputs_.engine.empty()) add("engine version", inputs_.engine + " " + versions.engine);
   if (!inputs_.preparation_engine.empty()) {
     add("preparation version", versions.preparation);
@@ -48,7 +48,7 @@ std::string RunIdentity::difference_from(const RunIdentity& there) const {
   if (!there.text().starts_with(first_line))
     return "it is of a version that recorded neither its engine nor its tables";
   const std::string difference = difference_of(there.text(), text());
-  return difference.empty() ? "the form of the configuration" : difference;
+  return difference.empty() ? "the format of the configuration" : difference;
 }
 
 void RunIdentity::stamp(Result& result) const {

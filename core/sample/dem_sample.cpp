@@ -46,7 +46,8 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
         glued == assembly.cell.periodic[2])
       throw std::invalid_argument(glued ? "the sample has a glued layer in a cell that is periodic along z, which is "
                                           "sheared across its faces; make z rigid, or all grains mobile"
-                                        : "the sample has no glued layer to shear it by; prepare it with prepare_sample");
+                                        : "the sample has no glued layers, which shear it; prepare it with "
+                                          "prepare_sample");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
   validate_fields(settings);
   engine_.load(assembly, settings);

@@ -63,10 +63,10 @@ std::optional<PreparationState> PreparationCheckpoints::find() const {
   std::optional<PreparationState> found;
   try {
     store_.read_newest([&](const hdf5::Group& root) { found = read(root, key_); },
-                       [](std::string_view word) { say(fmt::format("{}; the one before is looked for", word)); });
+                       [](std::string_view word) { say(fmt::format("{}; trying the checkpoint before it", word)); });
   } catch (const CorruptFileError& error) {
     found.reset();
-    say(fmt::format("{}; the preparation begins anew", error.what()));
+    say(fmt::format("{}; the preparation starts again", error.what()));
   }
   return found;
 }

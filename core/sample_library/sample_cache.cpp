@@ -157,7 +157,7 @@ struct SampleProvider {
     });
     if (same_on_all_ranks(is_there)) {
       const std::optional<StoredSample> kept = store.find(key);
-      if (!kept) throw FileError(fmt::format("{} has gone while it was looked for", store.path(key).string()));
+      if (!kept) throw FileError(fmt::format("{} was removed while it was read", store.path(key).string()));
       try {
         return prepared(*kept);
       } catch (const CorruptFileError& error) {

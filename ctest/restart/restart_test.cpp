@@ -109,7 +109,7 @@ TEST_F(RestartPreparation, GoesOnWithTheSameBits) {
   use_cache("stopped_cache");
   int stops = 0, code = 0;
   for (double seconds = 0.05; (code = run_for(seconds, "stopped", options_)) == 75; seconds *= 1.3) {
-    if (said_.find("its sample is being prepared, and the same command goes on with that") != said_.npos) ++stops;
+    if (said_.find("its sample is being prepared; the same command continues the preparation") != said_.npos) ++stops;
     ASSERT_LT(seconds, 1000.0) << said_;
   }
   ASSERT_EQ(code, 0) << said_;

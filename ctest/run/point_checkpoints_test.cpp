@@ -65,7 +65,7 @@ TEST_F(PointCheckpointsTest, UsesTheOneBeforeADamagedOneWithAWord) {
   overwrite(store_.path(0), read_file(store_.path(0)).substr(0, 5000));
   EXPECT_EQ(open(identity_).found()->share_done, 0.375);
   EXPECT_CONTAINS(said_, store_.path(0).string() + " is truncated");
-  EXPECT_CONTAINS(said_, "the one before is looked for");
+  EXPECT_CONTAINS(said_, "trying the checkpoint before it");
   overwrite(store_.path(1), "");
   EXPECT_CONTAINS(message_of<CorruptFileError>([&] { open(identity_); }), "--afresh");
 }

@@ -68,7 +68,7 @@ TEST_F(PreparationCheckpointsTest, BeginsAnewWhenAllIsDamagedAndSaysSo) {
   }
   overwrite(file(1), "");
   EXPECT_FALSE(find());
-  EXPECT_CONTAINS(said_, "the preparation begins anew");
+  EXPECT_CONTAINS(said_, "the preparation starts again");
 }
 
 TEST_F(PreparationCheckpointsTest, AreOfOneSample) {
