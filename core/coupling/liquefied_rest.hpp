@@ -3,11 +3,11 @@
 
 namespace flowslide {
 
-/// Leaves out strain of a liquefied sample: it bears almost no stress at any strain until its grains touch again. When
+/// Leaves out strain of a liquefied sample. Such a sample bears almost no stress until its grains touch again. When
 /// sigma has stayed at or below `normal_stress` over the strain `probed_strain`, the sample rests: the next
-/// `rested_strain` is never passed to it. Then it is probed again. This is an approximation: strength returns later
-/// than in a sample without rest. Use it for quasi-static shear (RI) only: at the strain rate of the slope a liquefied
-/// sample does resist. Not in the paper.
+/// `rested_strain` is never passed to it. Then the sample is probed again. This is an approximation: strength returns
+/// later than without rest. Use it for quasi-static shear (RI) only, because at the strain rate of the slope a
+/// liquefied sample does resist. Not in the paper.
 struct LiquefiedRest {
   double normal_stress = 30.0;   ///< Pa, > 0: a sample with sigma up to this value counts as liquefied
   double probed_strain = 0.01;   ///< > 0

@@ -68,8 +68,9 @@ void validate(const SlideSettings& settings);
 ///
 /// The order in dt_G is two without drainage, for a rate-independent sample that is strained at every step. It is one
 /// with `euler`, with a rate-dependent sample, and while strain accumulates. Holding the stress for a time t_h delays
-/// it by t_h/2 on average, which acts as negative damping: an oscillation of frequency omega grows as exp(omega^2 t_h
-/// t/4). dt_G >= n_accum dt_L avoids the delay at the strain rate of the slope.
+/// it by t_h/2 on average. This acts as negative damping: an oscillation of angular frequency omega grows as
+///   exp(omega^2 t_h t/4).
+/// dt_G >= n_accum dt_L avoids the delay at the strain rate of the slope.
 class Slide {
  public:
   /// Starts at the initial velocity. `sample` must outlive the slide. Throws as `validate`, and as StressReading if the

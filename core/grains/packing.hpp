@@ -20,7 +20,7 @@ struct LatticePacking {
 
   static constexpr auto fields() {
     return std::tuple{
-        Field{"lattice", &LatticePacking::counts, "1", Bounds::between(3, 1000)},  // fits in an int
+        Field{"lattice", &LatticePacking::counts, "1", Bounds::between(3, 1000)},  // the product fits in int
         Field{"smallest_diameter", &LatticePacking::smallest_diameter, "m", Bounds::positive()},
         Field{"largest_diameter", &LatticePacking::largest_diameter, "m", Bounds::positive()},
         Field{"spacing", &LatticePacking::spacing, "1", Bounds::positive()},

@@ -26,8 +26,8 @@ MiddleOrder middle_order(const Assembly& assembly, int axis, int periods);
 /// Largest order at which the positions of `grains` grains count as random: the mean for independent positions plus
 /// `deviations` standard deviations. The sum of N random unit vectors is a Gaussian in the plane (K. Pearson, Nature 72
 /// (1905) 294). S therefore has a Rayleigh distribution with the mean sqrt(pi/(4 N)) and the variance (1 - pi/4)/N.
-/// With 2 deviations the limit is 1.81/sqrt(N), which random positions exceed with the probability exp(-1.81^2) =
-/// 0.037; with 4 deviations it is 2.74/sqrt(N), with the probability 5e-4.
+/// With 2 deviations the limit is 1.81/sqrt(N). Random positions exceed it with a probability of 0.037, which is
+/// exp(-1.81^2). With 4 deviations it is 2.74/sqrt(N), with a probability of 5e-4.
 double order_of_random_positions(std::size_t grains, double deviations);
 
 }  // namespace flowslide

@@ -23,8 +23,8 @@ std::vector<double> without_wall_layers(const std::vector<double>& slices);
 /// Expected standard deviation of the void ratio of slices in a random packing: 0.27 D/sqrt(A), with slices one mean
 /// diameter D (m) thick and the cross-section A (m^2). Even in a uniform packing, slices differ in the grains that
 /// their faces cut; the number of these grains is proportional to A. The factor was measured on 10 samples of 1100
-/// grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one sample of 8800. All were mixed and prepared between
-/// periodic faces only, so that no position differs from another.
+/// grains (A = 99 D^2, 305 slices: 0.0278) and confirmed on one sample of 8800. Their preparation had mixing and only
+/// periodic faces, so that no position differs from another.
 double counting_deviation(double cross_section, double mean_diameter);
 
 }  // namespace flowslide

@@ -47,8 +47,8 @@ class RunControl {
   void border_of_preparation(const std::function<bool()>& keep);
   /// Why border() returned Due::stop.
   StopReason reason() const { return reason_; }
-  /// Throws Stopped, with exit code 130 after an interrupt and 75 otherwise. `what` is a clause of its message: "fig12
-  /// RD_3kPa: the same command goes on".
+  /// Throws Stopped, with exit code 130 after an interrupt and 75 otherwise. `what` is the last clause of its message:
+  /// "the same command goes on from t = 0.52 s".
   [[noreturn]] void stop(const std::string& what) const;
 
  private:

@@ -30,7 +30,7 @@ class CheckpointStore {
   std::int64_t read_newest(const std::function<void(const hdf5::Group&)>& read,
                            const std::function<void(std::string_view)>& complain) const;
 
-  /// Whether no checkpoint exists, damaged ones included.
+  /// Whether there is no file of a checkpoint, not even a damaged one.
   bool empty() const;
   void remove() const;
   /// Time when the newest checkpoint was written; empty if there is none.

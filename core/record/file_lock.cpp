@@ -82,7 +82,7 @@ std::string FileLock::holder(const std::filesystem::path& path) {
   if (error != std::errc{} || number <= 0 || rest.size() < 3 || rest.front() != ' ' || rest.back() != '\n')
     return unknown;
   const std::string_view machine = rest.substr(1, rest.size() - 2);
-  // If the process of the file has ended, the present holder could not write its own number: it is unknown.
+  // If the process in the file has ended, the present holder could not write its own number, and is unknown.
   if (machine == this_machine() && ::kill(number, 0) != 0 && errno == ESRCH) return unknown;
   return fmt::format("process {} on {}", number, machine);
 }

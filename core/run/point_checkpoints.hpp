@@ -29,8 +29,8 @@ class PointCheckpoints {
   void border(const std::function<Checkpoint()>& now);
   /// The same while a sample is prepared, see RunControl.
   void border_of_preparation(const std::function<bool()>& keep) { control_.border_of_preparation(keep); }
-  /// Writes the state at the end of a run, before results are computed from it. If that fails, the same command
-  /// continues from this state.
+  /// Writes the state at the end of a run, before results are computed from it. If their computation fails, the same
+  /// command continues from this state.
   void keep_end(const Checkpoint& end) { keep(end, false); }
 
  private:

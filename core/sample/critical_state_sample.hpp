@@ -28,8 +28,8 @@ struct CriticalStateProperties {
 /// gamma in place of p, q and the deviatoric strain. eta = tau/sigma, and psi is the state parameter (Been and
 /// Jefferies):
 ///   psi = e - e_c,   e_c = e_Gamma - lambda ln(sigma/sigma_r).
-/// The sample shears plastically while N > 0 (see below), which is loading in the direction of tau. Otherwise it is
-/// elastic:
+/// The sample shears plastically while N > 0 (see below), which means loading in the direction of tau. Otherwise
+/// d_gamma_p = 0:
 ///   d(tau) = G (d_gamma - d_gamma_p),   d(sigma) = M_o (d_epsilon - d_epsilon_p),
 ///   sigma d(eta) = K d_gamma_p,         K = h G (M exp(-n psi)/eta - 1),
 ///   d_epsilon_p = d d_gamma_p,          d = d_0 (exp(m psi) - eta/M), positive when the sample contracts.

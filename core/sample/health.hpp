@@ -27,9 +27,10 @@ void check_exchange(const Engine& engine, const CellStress& stress, std::uint64_
 void check_assembly(const Assembly& assembly);
 
 /// Throws NumericalFailure if the time step (s) is too long for the present stiffness and number of the contacts (see
-/// time_step_share). Motions would then grow, dashpots and friction would dissipate them, and the sample would lose
-/// stress without any visible sign. The stiffness of contacts grows with the cube root of the stress: a step that suits
-/// a sample at rest may be too long after dilation. Costs about 60 steps: called every `time_step_interval` steps.
+/// time_step_share). Oscillations would then grow, dashpots and friction would dissipate them, and the sample would
+/// lose stress without any visible sign. The stiffness of contacts grows with the cube root of the stress. A step that
+/// suits a sample at rest may therefore be too long after dilation. Costs about 60 steps: called every
+/// `time_step_interval` steps.
 void check_contact_time_step(const Assembly& assembly, const Material& material, double time_step);
 
 /// Local steps between two calls of check_contact_time_step. The calls then cost 1.5 % of a run, and the stress of a

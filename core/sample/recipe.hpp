@@ -64,7 +64,8 @@ struct SampleRecipe {
 };
 static_assert(lists_every_member<SampleRecipe>());
 
-/// Throws std::invalid_argument if a value is out of its range, or if the time step is too long.
+/// Throws std::invalid_argument if a value is out of its range, if no packing can bear the shear stress, or if the time
+/// step is too long (see validate_time_step and validate_impacts).
 void validate(const SampleRecipe& recipe);
 
 }  // namespace flowslide

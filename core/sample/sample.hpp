@@ -33,8 +33,8 @@ class Sample {
   /// last measured run. Throws NumericalFailure.
   virtual CellStress strain(const LocalRun& run) = 0;
   virtual CellStress stress() const = 0;
-  /// p of the soil away from the boundaries, Pa, compression positive, with the stress of the grains' motion. Meant for
-  /// records: one call may cost as much as many steps.
+  /// p of the soil away from the boundaries, Pa, compression positive, kinetic stress included. Meant for records: one
+  /// call may cost as much as many steps.
   virtual double mean_stress() const = 0;
   virtual double shear_strain() const = 0;  ///< gamma since the sample was prepared
   virtual double void_ratio() const = 0;

@@ -4,7 +4,7 @@
 
 namespace flowslide::native {
 
-/// The grains `begin` to `end` - 1, which one thread owns: it moves them and sums the forces on them.
+/// The grains `begin` to `end` - 1, which one thread owns. The thread moves them and sums the forces on them.
 struct Share {
   std::size_t begin = 0, end = 0;
   bool owns(std::size_t grain) const { return grain >= begin && grain < end; }
