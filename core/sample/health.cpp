@@ -59,9 +59,10 @@ void check_contact_time_step(const Assembly& assembly, const Material& material,
   const double share = time_step_share(assembly, material, time_step);
   if (share < 1.0) return;
   throw NumericalFailure(fmt::format(
-      "the time step {} s is too long for contacts as stiff as they are now: motions grow from about {:.2g} s on, "
-      "which wrecks the stress without a sign; use a time step of at most {:.2g} s, less if the stress is still to rise, or "
-      "softer grains", time_step, time_step_at_edge(time_step, share), 0.95 * time_step_at_edge(time_step, share)));
+      "the time step {} s is too long for contacts of the present stiffness: above about {:.2g} s oscillations grow, "
+      "and the sample loses stress without any other sign; use a time step of at most {:.2g} s (less if the stress is "
+      "still to rise), or softer grains",
+      time_step, time_step_at_edge(time_step, share), 0.95 * time_step_at_edge(time_step, share)));
 }
 
 double kinetic_number(const Assembly& assembly, const Material& material, double pressure) {

@@ -54,7 +54,7 @@ LatticeMemory lattice_memory(const Assembly& assembly, const LatticePacking& pac
   return memory;
 }
 
-std::int64_t steps_between_looks(const SampleRecipe& recipe) {
+std::int64_t steps_between_checks(const SampleRecipe& recipe) {
   const double way = recipe.packing.spacing * recipe.packing.largest_diameter;
   const double steps = way / (recipe.mixing_velocity * recipe.time_step);
   return static_cast<std::int64_t>(std::clamp(steps, 1.0, static_cast<double>(recipe.most_steps)));

@@ -23,7 +23,7 @@ struct LatticeMemory {
 LatticeMemory lattice_memory(const Assembly& assembly, const LatticePacking& packing);
 
 /// Steps between two checks of the order: a grain at the mixing velocity moves by one lattice spacing in this time.
-std::int64_t steps_between_looks(const SampleRecipe& recipe);
+std::int64_t steps_between_checks(const SampleRecipe& recipe);
 
 /// Throws std::invalid_argument if the time step is too long for the stiffest impact of the mixing, or if the overlap
 /// of this impact exceeds `largest_overlap`. In this impact two of the smallest grains collide head-on, each with a

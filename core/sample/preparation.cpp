@@ -26,7 +26,7 @@ constexpr double layer_reach = 0.25;
 constexpr double intermediate_tolerance = 1e-2;
 /// Steps for which the stresses must be within their tolerance before the grains are inspected.
 constexpr std::int64_t inspection_interval = 1500;
-constexpr const char* mend_of_servo = "lower the servo rates, or the tolerance, or try another seed";
+constexpr const char* servo_remedy = "lower the servo rates, or the tolerance, or try another seed";
 
 class Preparation {
  public:
@@ -38,16 +38,17 @@ class Preparation {
     if (recipe_.periodic_height) packing.cell.periodic = {true, true, true};
     grains_ = packing.size();
     solid_volume_ = packing.solid_volume();
-    if (from != nullptr) go_on(*from);
+    if (from != nullptr) continue_from(*from);
     else
       begin_with(packing);
     while (stage_ < 5) {
       switch (stage_) {
         case 0: mix(); break;
         case 1: compact(); break;
-        case 2: reach({0.1 * recipe_.normal_stress, {}, recipe_.servo_rates[0]}, intermediate_tolerance); break;
-        case 3: reach({0.2 * recipe_.normal_stress, {}, recipe_.servo_rates[1]}, intermediate_tolerance); break;
-        default: reach({recipe_.normal_stress, recipe_.shear_stress, recipe_.servo_rates[2]}, recipe_.stress_tolerance);
+        case 2: run_servo({0.1 * recipe_.normal_stress, {}, recipe_.servo_rates[0]}, intermediate_tolerance); break;
+        case 3: run_servo({0.2 * recipe_.normal_stress, {}, recipe_.servo_rates[1]}, intermediate_tolerance); break;
+        default:
+          run_servo({recipe_.normal_stress, recipe_.shear_stress, recipe_.servo_rates[2]}, recipe_.stress_tolerance);
       }
       engine_.move({});
       begin(stage_ + 1);
@@ -71,7 +72,7 @@ class Preparation {
     stage_ = recipe_.mixing_velocity > 0.0 ? 0 : 1;
     if (stage_ == 0) {
       agitate(packing, recipe_.mixing_velocity, recipe_.packing.seed);
-      next_inspection_ = steps_between_looks(recipe_);
+      next_inspection_ = steps_between_checks(recipe_);
     }
     engine_.load(packing, settings());
   }
@@ -96,7 +97,7 @@ class Preparation {
     return {stage_, steps_, stage_start_, within_, next_inspection_, stress_, engine_.save()};
   }
 
-  void go_on(const PreparationState& from) {
+  void continue_from(const PreparationState& from) {
     if (from.assembly.size() != grains_)
       throw std::invalid_argument(fmt::format("a preparation of {} grains cannot go on from a state of {}", grains_,
                                               from.assembly.size()));
@@ -128,7 +129,7 @@ class Preparation {
         const Assembly assembly = engine_.save();
         check_assembly(assembly);
         check_contact_time_step(assembly, recipe_.material, recipe_.time_step);
-        next_inspection_ = steps_ + steps_between_looks(recipe_);
+        next_inspection_ = steps_ + steps_between_checks(recipe_);
         const LatticeMemory memory = lattice_memory(assembly, recipe_.packing);
         if (memory.forgotten()) return;
         if (steps_ > recipe_.most_steps)
@@ -157,7 +158,7 @@ class Preparation {
   }
 
   /// Runs the servo until the stresses stay at their targets and the grains have come to rest.
-  void reach(const ServoTarget& target, double tolerance) {
+  void run_servo(const ServoTarget& target, double tolerance) {
     while (true) {
       engine_.move(servo_motion(target, engine_.cell(), stress_));
       advance(recipe_.servo_interval);
@@ -175,7 +176,7 @@ class Preparation {
       if (steps_ - stage_start_ > recipe_.most_steps)
         fail(fmt::format("the stresses are within {:.3g} of sigma_0, the tolerance is {}",
                          servo_deviation(target, stress_), tolerance),
-             mend_of_servo);
+             servo_remedy);
       observe();
     }
   }
@@ -201,16 +202,16 @@ class Preparation {
     constexpr double drift_factor = 4.0;
     const double deviation = servo_deviation(target, stress_);
     if (deviation > drift_factor * recipe_.stress_tolerance)
-      fail(fmt::format("at rest the stress drifted to {:.3g} of sigma_0 from its target", deviation), mend_of_servo);
+      fail(fmt::format("at rest the stress drifted to {:.3g} of sigma_0 from its target", deviation), servo_remedy);
     return sample;
   }
 
-  [[noreturn]] void fail(const std::string& what, const char* mend) const {
+  [[noreturn]] void fail(const std::string& what, const char* remedy) const {
     throw NumericalFailure(fmt::format(
         "sample preparation, {}, after {} steps: {} (e = {:.4f}, sigma = {:.5g} Pa, tau = {:.5g} Pa, lateral "
         "{:.5g} and {:.5g} Pa); {}",
         name_of_stage(stage_), steps_, what, present_void_ratio(), stress_.normal, stress_.shear, stress_.lateral_x,
-        stress_.lateral_y, mend));
+        stress_.lateral_y, remedy));
   }
 
   Engine& engine_;

@@ -41,12 +41,12 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
   SampleRecipe recipe = start;
   double offset_sum = 0.0;
   const auto error = [&](const Trial& trial) { return std::abs(trial.void_ratio - target.void_ratio); };
-  std::string collapse;  // message of the last failed preparation
+  std::string last_failure;
   for (int attempt = 0; attempt < target.most_trials; ++attempt) {
     try {
       trials.push_back({recipe, prepare(recipe)});
     } catch (const NumericalFailure& failure) {
-      collapse = failure.what();
+      last_failure = failure.what();
       recipe.packing.seed += 1;
       continue;
     }
@@ -57,7 +57,7 @@ std::vector<Trial> search_void_ratio(const SampleRecipe& start, const VoidRatioT
                                              std::max(largest_friction, start.preparation_friction));
     recipe.packing.seed += 1;
   }
-  if (trials.empty()) throw NumericalFailure(collapse);
+  if (trials.empty()) throw NumericalFailure(last_failure);
   const Trial& nearest = *std::min_element(trials.begin(), trials.end(),
                                            [&](const Trial& a, const Trial& b) { return error(a) < error(b); });
   throw NumericalFailure(fmt::format(

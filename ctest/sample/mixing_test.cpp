@@ -38,9 +38,9 @@ TEST(Mixing, LooksAfterTheWayFromSiteToSite) {
   SampleRecipe recipe;
   recipe.mixing_velocity = 0.5;
   recipe.time_step = 1e-5;
-  EXPECT_EQ(steps_between_looks(recipe), 1650);  // 8.25 mm at 0.5 m/s
+  EXPECT_EQ(steps_between_checks(recipe), 1650);  // 8.25 mm at 0.5 m/s
   recipe.mixing_velocity = 1e-9;
-  EXPECT_EQ(steps_between_looks(recipe), recipe.most_steps);
+  EXPECT_EQ(steps_between_checks(recipe), recipe.most_steps);
 }
 
 TEST(Mixing, RefusesImpactsThatTheTimeStepDoesNotResolveOrTheLawDoesNotHold) {
