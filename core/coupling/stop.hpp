@@ -20,7 +20,7 @@ enum class Stop { not_yet, end_time, end_shear_strain, sliding_stopped };
 /// Throws std::invalid_argument unless all are > 0 and the end time is finite.
 void validate(const StopConditions& conditions);
 
-/// The condition that `state` meets. `time_step` is dt_G, s.
+/// The condition that `state` meets, or `not_yet`. `time_step` is dt_G, s.
 Stop stop_of(const SlideState& state, const StopConditions& conditions, double time_step);
 
 }  // namespace flowslide

@@ -44,7 +44,7 @@ File File::create(const std::string& path) {
 File File::open(std::string_view image, const std::string& path) {
   if (image.empty()) throw CorruptFileError(path + ": the file is empty");
   const Handle access = memory_driver(path);
-  // HDF5 copies the image and does not change it; const is only missing in its interface.
+  // HDF5 copies the image and does not change it, but its interface lacks the const.
   check_read(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()), path, "take its bytes");
   const hid_t id = H5Fopen(unique_name().c_str(), H5F_ACC_RDONLY, access);
   return {Handle(check_read(id, path, "open it as HDF5"), H5Fclose), path};

@@ -16,7 +16,7 @@
 namespace flowslide {
 namespace {
 
-/// Rotates m to (across, up, towards the viewer).
+/// Rotation from the axes of the cell to those of the picture: across, up, towards the viewer.
 Matrix3 rotation(const View& view) {
   const double a = view.azimuth * std::numbers::pi / 180.0, e = view.elevation * std::numbers::pi / 180.0;
   Matrix3 rows;
@@ -26,7 +26,7 @@ Matrix3 rotation(const View& view) {
   return rows;
 }
 
-/// Position in the sheared cell of a point of the upright cell.
+/// Shears a point of the upright cell by `strain`.
 Vector3 sheared(Vector3 point, const Cell& cell, double strain) {
   point.x() += strain * (point.z() - cell.lower.z());
   return point;

@@ -32,8 +32,9 @@ class SampleStore {
   /// The folder may be absent or read-only. The first lock or sample creates it.
   explicit SampleStore(std::filesystem::path folder);
 
-  /// Whether the store has a file of a sample, and of a failure. The file may be damaged.
+  /// Whether the store has the file of a sample. The file may be damaged.
   bool has(const std::string& key) const;
+  /// The same for the file of a failure.
   bool has_failure(const std::string& key) const;
   /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file; the
   /// message says which file to delete.

@@ -20,8 +20,8 @@ constexpr std::array stress_parts{std::pair{"normal_stress", &CellStress::normal
                                   std::pair{"lateral_stress_x", &CellStress::lateral_x},
                                   std::pair{"lateral_stress_y", &CellStress::lateral_y}};
 
-/// Tolerance for the stress of a prepared sample, relative to its normal stress: another number of ranks sums in
-/// another order.
+/// Tolerance for the stress of a prepared sample, relative to its normal stress. Another number of ranks sums in
+/// another order, with other rounding.
 constexpr double rounding_of_sums = 1e-9;
 
 void add(std::map<std::string, double>& numbers, const std::string& prefix, const CellStress& stress) {

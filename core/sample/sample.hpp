@@ -32,7 +32,7 @@ class Sample {
   /// Strains the sample and returns its stress at the end. If the run is not measured, the stress may be that of the
   /// last measured run. Throws NumericalFailure.
   virtual CellStress strain(const LocalRun& run) = 0;
-  virtual CellStress stress() const = 0;
+  virtual CellStress stress() const = 0;  ///< the stress that `strain` returned last, or the prepared stress
   /// p of the soil away from the boundaries, Pa, compression positive, kinetic stress included. Meant for records: one
   /// call may cost as much as many steps.
   virtual double mean_stress() const = 0;
