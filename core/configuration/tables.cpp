@@ -28,4 +28,17 @@ void Tables::accept(std::initializer_list<const char*> names) const {
     for (const char* name : names) configuration_.accept(table + "." + name);
 }
 
+std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name) {
+  std::vector<std::string> tables{list + "." + name};
+  const std::string key = tables.front() + ".like";
+  if (configuration.has(key)) tables.push_back(list + "." + configuration.text(key, configuration.subtables(list)));
+  return tables;
+}
+
+TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others) {
+  for (std::string& table : tables) table += "." + name;
+  tables.insert(tables.end(), others.begin(), others.end());
+  return tables;
+}
+
 }  // namespace flowslide

@@ -71,4 +71,11 @@ class Tables {
   TableNames tables_;
 };
 
+/// The tables where the keys of the table [<list>.<name>] stand: its own, then [<list>.<other>] if it says like =
+/// "<other>". Throws ConfigurationError when there is no such other table.
+std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name);
+
+/// The tables `name` within each of `tables`, then `others`.
+TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others);
+
 }  // namespace flowslide

@@ -22,12 +22,17 @@ Material read_material(const Configuration& configuration, const TableNames& tab
 /// a point names them: several cases share the base.
 std::vector<std::string> samples_in_use(const Configuration& configuration);
 
-/// The samples in use, made of [material] as [packing] and [preparation] say, to the stresses of the slope;
-/// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress;
-/// those with `periodic_height`, false where it is not said, have no glued layers (see SampleRecipe). `replicate` (from
-/// 0) shifts the seed. What a search has found before spares the next one its trials: a sample may have a list
-/// `seed_offsets` with the shift of each replicate, and a list `found_preparation_frictions` with its mu_1. Throws
-/// ConfigurationError.
+/// The samples in use: grains of [material], packed as [packing] and [preparation] say, to the stresses of the slope.
+/// Keys of a sample:
+/// - `like`: another sample, from which the keys that are missing are taken;
+/// - tables `material`, `packing`, `preparation`, whose keys win over those of the tables of the same name at the top;
+/// - `void_ratio`, `tolerance`, `most_trials`, `preparation_friction`, `drag`: what the search looks for, and where it
+///   begins;
+/// - `isotropic`: the sample bears no shear stress;
+/// - `periodic_height`: the sample has no glued layers (see SampleRecipe); false without the key;
+/// - `seed_offsets` and `found_preparation_frictions`: shift of the seed and mu_1 of each replicate, as an earlier search
+///   found them, which saves its trials.
+/// `replicate` counts from 0 and shifts the seed. Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 

@@ -73,5 +73,16 @@ TEST(Tables, AcceptKeysInEach) {
   EXPECT_NO_THROW(configuration.reject_unknown());
 }
 
+TEST(Tables, StandBehindThatOfTheSameListThatOneIsLike) {
+  const auto configuration = Configuration::from_text("[sample.a]\nn = 1\n[sample.b]\nlike = 'a'\n[sample.c]\nlike = 'd'\n");
+  EXPECT_EQ(with_like(configuration, "sample", "a"), std::vector<std::string>{"sample.a"});
+  const std::vector<std::string> tables = with_like(configuration, "sample", "b");
+  EXPECT_EQ(tables, (std::vector<std::string>{"sample.b", "sample.a"}));
+  EXPECT_EQ(within(tables, "packing", {"packing"}).names(),
+            (std::vector<std::string>{"sample.b.packing", "sample.a.packing", "packing"}));
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "c"); }),
+                  "sample.c.like = \"d\" is not allowed");
+}
+
 }  // namespace
 }  // namespace flowslide
