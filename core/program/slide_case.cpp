@@ -242,14 +242,13 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
                                       profiles.series(), record.exchanges},
                       {}};
   };
-  SlideHooks hooks;
-  hooks.go_on = [&](const SlideState& state) {
+  const auto go_on = [&](const SlideState& state) {
     progress.update(state);
     if (loaded.grains) profiles.take(state.strain.shear, *loaded.grains);
     run.checkpoints.border([&] { return checkpoint(judged(running, loaded, run, records_of(Stop::not_yet))); });
     return true;
   };
-  const Stop stop = run_slide(sliding, running.stop, record, hooks);
+  const Stop stop = run_slide(sliding, running.stop, record, go_on);
   progress.finish(sliding.state());
   Records records = records_of(stop);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records)));

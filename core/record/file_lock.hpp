@@ -11,9 +11,8 @@ namespace flowslide {
 /// On a file system without locks nothing is held.
 class FileLock {
  public:
-  /// Waits for the lock; creates the file. Throws FileError if it can be neither created nor opened.
-  explicit FileLock(const std::filesystem::path& path);
-  /// The lock if nobody holds it, empty otherwise.
+  /// The lock if nobody holds it, empty otherwise. Creates the file. Throws FileError if it can be neither created nor
+  /// opened.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
   /// Whether another process holds it now; makes no file.

@@ -119,11 +119,6 @@ std::filesystem::path SampleStore::lock_path(const std::string& key) const {
   return path(key).replace_extension(".lock");
 }
 
-FileLock SampleStore::lock(const std::string& key) const {
-  make_folder();
-  return FileLock(lock_path(key));
-}
-
 std::optional<FileLock> SampleStore::try_lock(const std::string& key) const {
   make_folder();
   return FileLock::try_lock(lock_path(key));

@@ -46,10 +46,8 @@ class SampleStore {
   std::optional<FailedSample> find_failure(const std::string& key) const;
   /// Keeps a failure, whole or not at all. Throws FileError if it cannot be written.
   void put_failure(const std::string& key, const FailedSample& failure) const;
-  /// Waits until no other process holds the lock of `key`. Reading a sample needs none: it is complete as soon as it is
-  /// there. Throws FileError if the folder cannot be made or written.
-  FileLock lock(const std::string& key) const;
-  /// The lock, or empty if another process holds it. Throws as lock().
+  /// The lock of `key`, or empty if another process holds it. Reading a sample needs none: it is complete as soon as it
+  /// is there. Throws FileError if the folder cannot be made or written.
   std::optional<FileLock> try_lock(const std::string& key) const;
   /// Who holds the lock of `key`, as FileLock::holder says.
   std::string holder(const std::string& key) const;
