@@ -15,7 +15,7 @@ struct StressSums {
   Vector3 pair_virial_z = Vector3::Zero();              ///< sum over pairs of l_z f
 };
 
-/// Bagi's stress (eq. 12) of horizontal sections, in the form of `section_stress_from_forces`, and the lateral
+/// Bagi's stress (eq. 12) of horizontal sections, in the form without pairs (see bagi_stress), and the lateral
 /// stresses: a rigid axis has that form as well, along a periodic one only pairs know the branch vector.
 inline CellStress stress_of(const StressSums& sums, const Cell& cell) {
   // Compression positive: sum of z f - H F_top; the sign of shear is turned, as in `slope_stress`.

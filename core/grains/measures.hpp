@@ -28,20 +28,9 @@ double shear_rate_for(double inertial_number, double mean_diameter, double densi
 /// LIGGGHTS takes it (fix check/timestep/gran). Explicit steps are kept below a few percent of it.
 double rayleigh_time(double radius, const Material& material);
 
-/// Duration (s) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s, > 0):
-/// t_H = 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) overlap_max / speed, overlap_max = [15 m* v^2 / (16 Y* sqrt(R*))]^(2/5).
-/// Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws std::invalid_argument unless impact_speed > 0.
-double hertz_contact_time(double radius, const Material& material, double impact_speed);
-
-/// Largest overlap (m) of that impact.
+/// Largest overlap (m) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s):
+/// [15 m* v^2 / (16 Y* sqrt(R*))]^(2/5). Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws
+/// std::invalid_argument unless impact_speed > 0.
 double hertz_impact_overlap(double radius, const Material& material, double impact_speed);
-
-/// Mean overlap (m) of all touching pairs, pairs of one glued layer left out. 0 if none touch.
-double mean_overlap(const Assembly& assembly);
-
-/// Overlap (m) to expect at a pressure (Pa): Hertz at the mean force of Rumpf's relation f = pi D^2 (1 + e) p / Z,
-///   overlap = [3 f / (4 Y* sqrt(D / 4))]^(2/3).  1.3e-3 D at 28 kPa with Table 1, e = 0.77, Z = 4.7.
-double typical_overlap(double pressure, double mean_diameter, const Material& material, double void_ratio = 0.77,
-                       double coordination_number = 4.7);
 
 }  // namespace flowslide

@@ -17,10 +17,12 @@ namespace flowslide {
 /// (1) a mobile grain at a plane, x_e the foot of its centre on the plane; (2) each glued grain, held by the plane
 /// behind it with minus the sum of its contact forces, x_e the foot of its centre on the plane z = lower or upper.
 ///
-/// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Measure z from the bottom
-/// and let f be the force of a glued grain g on a mobile grain p: the pair gives (z_p - z_g) f and the glue, which
-/// holds g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is z_p f at the bottom and (z_p - H) f at the
-/// top. A plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2. The sum is sum_p z_p f_p - H F_top.
+/// With (2), the z row needs no loop over pairs, in equilibrium and out of it:
+///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
+/// z from the bottom plane, H the height of the cell, f the contact forces on a grain and F_top the force of the top
+/// boundary, layer and plane, on the mobile grains. For let f be the force of a glued grain g on a mobile grain p: the
+/// pair gives (z_p - z_g) f and the glue, which holds g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is
+/// z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2.
 /// (The two layers are assumed not to touch each other, and x, y to be periodic: see there. If z is periodic, no grain
 /// may be glued.)
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
@@ -37,14 +39,6 @@ Matrix3 nicot_correction(const Assembly& assembly, const Material& material);
 
 /// Nicot's stress, Pa (eq. 13): Bagi's stress plus `nicot_correction`.
 Matrix3 nicot_stress(const Assembly& assembly, const ContactForces& forces, const Material& material);
-
-/// z row (sigma_zx, sigma_zy, sigma_zz), Pa, compression positive, without a loop over pairs:
-///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
-/// z from the bottom plane, H the height of the cell, f = assembly.force (contact forces only: no drag) and F_top =
-/// `top_on_mobile` the force (N) of the top boundary, layer and plane, ON the mobile grains (the grains push the
-/// boundary with minus this). sigma_zz is exact always; sigma_zx and sigma_zy only where the axis x or y is periodic,
-/// since the planes of a rigid lateral axis push the grains but carry no stress on horizontal sections.
-Vector3 section_stress_from_forces(const Assembly& assembly, const Vector3& top_on_mobile);
 
 /// Stress in the terms of the slope.
 struct SlopeStress {

@@ -41,8 +41,4 @@ class Consolidation {
 /// dt_G = 2/(M C), s, beyond which forward Euler for eq. 5 grows on a sample of modulus M (Pa); infinite for k = 0.
 double consolidation_time_step_limit(const SlopeProperties& slope, double oedometric_modulus);
 
-/// p_w(z') = p_b [2 zeta - zeta^2], zeta = z'/(h_s cos theta) from 0 at the top of the layer to 1 at its base (eq. 6).
-/// `basal` is p_b, any unit.
-double excess_pore_pressure(double basal, double zeta);
-
 }  // namespace flowslide
