@@ -38,12 +38,13 @@ void validate(const LatticePacking& options);
 /// `spacing` D_max apart and half of that from the planes, and no centre leaves its site by more than `jitter` D_max
 /// along an axis.
 ///
-/// Diameters lie between D_min and D_max with equal solid volume per interval of diameter ("a uniform distribution of particle volumes"): number density n(D) ~ D^-3, so that
+/// Diameters lie between D_min and D_max with equal solid volume per interval of diameter ("a uniform distribution of
+/// particle volumes"): number density n(D) ~ D^-3, so that
 ///   F(D) = (D_min^-2 - D^-2) / (D_min^-2 - D_max^-2),   D(u) = [D_min^-2 - u (D_min^-2 - D_max^-2)]^(-1/2).
 /// This reading has the number mean 2 D_min D_max / (D_min + D_max) = 6.00 mm of the paper; spheres whose volume is
-/// uniform between V_min and V_max would have 6.41 mm. Stratified: one diameter is drawn from each of nx ny nz
-/// equal intervals of u and the order is then shuffled, so that the grading hardly differs between seeds and small
-/// samples. Errors: those of `validate`.
+/// uniform between V_min and V_max would have 6.41 mm. Stratified: one diameter is drawn from each of nx ny nz equal
+/// intervals of u and the order is then shuffled, so that the grading hardly differs between seeds and small samples.
+/// Errors: those of `validate`.
 Assembly lattice_packing(const LatticePacking& options = {});
 
 }  // namespace flowslide

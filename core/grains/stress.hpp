@@ -22,9 +22,9 @@ namespace flowslide {
 /// z from the bottom plane, H the height of the cell, f the contact forces on a grain and F_top the force of the top
 /// boundary, layer and plane, on the mobile grains. For let f be the force of a glued grain g on a mobile grain p: the
 /// pair gives (z_p - z_g) f and the glue, which holds g with +f, gives -(z_e - z_g) f; together (z_p - z_e) f, that is
-/// z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, pairs of mobile grains give z_1 f_1 + z_2 f_2.
-/// (The two layers are assumed not to touch each other, and x, y to be periodic: see there. If z is periodic, no grain
-/// may be glued.)
+/// z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, pairs of mobile grains give
+/// z_1 f_1 + z_2 f_2. The layers are assumed not to touch each other, and x and y to be periodic: planes of a rigid
+/// lateral axis push the grains but carry no stress on horizontal sections. If z is periodic, no grain may be glued.
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
 
 /// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,
