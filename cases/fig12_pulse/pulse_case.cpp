@@ -8,7 +8,7 @@
 #include "comparison.hpp"
 #include "record/gnuplot_table.hpp"
 #include "run/legend.hpp"
-#include "runout_metrics.hpp"
+#include "after_pulse.hpp"
 
 namespace flowslide {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runout_metrics.hpp"
+#include "after_pulse.hpp"
 
 #include <gtest/gtest.h>
 
