@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -15,6 +14,7 @@
 #include "input/read_coupling.hpp"
 #include "input/read_samples.hpp"
 #include "process/ranks.hpp"
+#include "program/named.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
 #include "program/slide_progress.hpp"
@@ -126,7 +126,7 @@ std::vector<Point> SlideCase::points() const {
 }
 
 const SlidePoint& SlideCase::slide(const std::string& point) const {
-  return *std::find_if(slides_.begin(), slides_.end(), [&](const SlidePoint& s) { return s.point.name == point; });
+  return named(slides_, "point", point, [](const SlidePoint& slide) { return slide.point.name; });
 }
 
 void SlideCase::print_plan(const Point& point, std::ostream& out) const {
