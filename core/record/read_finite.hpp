@@ -9,7 +9,11 @@
 
 namespace flowslide {
 
-/// read_assembly, and CorruptFileError for grains or contacts that are not finite or a cell without volume.
+/// What is wrong in an assembly, such as "the velocity of grain 3 is not finite": a number of a grain or of a contact
+/// that is not finite, a radius that is not positive, or a cell without volume. Empty if nothing is.
+std::string flaw_of(const Assembly& assembly);
+
+/// read_assembly, and CorruptFileError for an assembly with a flaw.
 Assembly read_finite_assembly(const hdf5::Group& parent, const std::string& name);
 
 /// Reads a number that is an attribute: finite, and not negative where it is whole, or CorruptFileError.

@@ -39,8 +39,8 @@ class SampleStore {
   /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file: it is
   /// never used, and the message says which file to delete.
   std::optional<StoredSample> find(const std::string& key) const;
-  /// Keeps `sample`, whole or not at all, in place of one of the same key. Throws std::invalid_argument if a value is
-  /// not finite, FileError if it cannot be written.
+  /// Keeps `sample`, whole or not at all, in place of one of the same key. Throws std::invalid_argument for an
+  /// assembly with a flaw (see flaw_of) or a metric that is not finite, FileError if it cannot be written.
   void put(const std::string& key, const StoredSample& sample) const;
   /// Why the preparation failed; empty if none is known to. Throws as find().
   std::optional<FailedSample> find_failure(const std::string& key) const;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "grains/require.hpp"
 
 namespace flowslide {
 
 /// Throws std::invalid_argument unless `allowed`: what of the slope is wrong, its value, what is allowed, the mend.
 inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
                              const std::string& mend) {
-  if (allowed) return;
-  throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, mend));
+  require(allowed, "slope: " + name, value, range, mend);
 }
 
 /// The same for what must be finite and above zero.

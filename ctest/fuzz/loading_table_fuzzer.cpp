@@ -7,19 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include "configuration/error.hpp"
 #include "experiment/loading_record.hpp"
 #include "input/read_loading_table.hpp"
+#include "require.hpp"
 #include "slope/driving_stress.hpp"
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 /// A file in memory that holds the last input.
 std::string file_of(const std::uint8_t* data, std::size_t size) {
