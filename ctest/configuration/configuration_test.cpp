@@ -322,7 +322,7 @@ TEST(Configuration, RefusesARenamedKeyWithItsNewName) {
   const Configuration configuration({.case_file = file, .scale = "small", .user_file = {}, .overrides = {}});
   EXPECT_NO_THROW(configuration.refuse_renamed("a.other", "a.b"));
   EXPECT_EQ(message_of<ConfigurationError>([&] { configuration.refuse_renamed("a.old", "a.b"); }),
-            file.string() + ":3:1: \"a.old\" is called \"a.b\" now; rename it");
+            file.string() + ":3:3: \"a.old\" is called \"a.b\" now; rename it");
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ TEST_F(UndrainedProgram, RefusesItsOldKeysWithTheNewNames) {
   // In a scale that was not chosen, too.
   const fs::path user = scratch_.write("user.toml", "[scale.paper]\npoint.e0_771.time_step = \"5e-6 s\"\n");
   EXPECT_CONTAINS(complaint({"--config", user.string()}),
-                  user.string() + ":2:1: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
+                  user.string() + ":2:14: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
 }
 
 TEST_F(UndrainedProgram, HasNoClosedFormSamples) {
