@@ -62,7 +62,7 @@ double earliest_peak(const std::vector<Pair>& pairs) {
 }
 
 double median(const Ensemble& ensemble, const std::string& metric) {
-  return statistics_of(values_of(ensemble, metric)).median;
+  return statistics_of(ensemble, metric).median;
 }
 
 /// Velocity by RD over that by RI near the last displacement that both reach.

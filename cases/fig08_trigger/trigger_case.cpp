@@ -17,9 +17,8 @@ namespace {
 
 /// A line of peaks.dat: where tau of the first sample is largest; none if it has no peak.
 std::string peak_line(const std::string& name, const Result& result) {
-  const auto metric = [&](const char* wanted) { return statistics_of(values_of({result}, wanted)).median; };
-  const double time = metric("time_at_peak"), shear = metric("peak_shear_stress");
-  const double normal = metric("normal_stress_at_peak");
+  const double time = metric_of(result, "time_at_peak"), shear = metric_of(result, "peak_shear_stress");
+  const double normal = metric_of(result, "normal_stress_at_peak");
   if (!std::isfinite(time + shear + normal)) return "";
   return fmt::format("{}\t{}\t{}\t{}\n", name, time, shear, normal);
 }

@@ -37,7 +37,7 @@ struct SettingError {
   std::vector<QuantityError> errors;
   double error_over_spread = 0.0;  ///< the largest ratio; infinity if a quantity is missing
   std::string worst;               ///< the quantity that has it
-  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates
+  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 without grains
   double seconds = 0.0;            ///< processor time, mean
   bool below_noise() const { return error_over_spread <= 1.0; }
 };

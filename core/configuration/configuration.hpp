@@ -93,6 +93,10 @@ class Configuration {
   /// file, line, column, key, the value as written, then `problem` and `mend` (whole clauses without full stop).
   [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
 
+  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has `key`: its name is `now` since.
+  /// The message gives file, line, column and both names.
+  void refuse_renamed(std::string_view key, std::string_view now) const;
+
   /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has a key that no getter asked for:
   /// file, line and column of each, with the nearest known key; or when --config or --set gives a value that all
   /// readers took from elsewhere. Call it once all is read.

@@ -34,6 +34,9 @@ double metric_of(const Result& result, const std::string& metric);
 /// The values of a metric in those replicates that have it.
 std::vector<double> values_of(const Ensemble& ensemble, const std::string& metric);
 
+/// Of a metric in those replicates that have it.
+Statistics statistics_of(const Ensemble& ensemble, const std::string& metric);
+
 /// A parameter of the runs, such as hydraulic_conductivity (see slide_point.hpp), which all replicates share. NaN if
 /// they have none of that name.
 double parameter_of(const Ensemble& ensemble, const std::string& name);

@@ -11,7 +11,4 @@ namespace flowslide {
 /// configuration.
 InputTable input_table(const std::string& file, const StressTable& table);
 
-/// The table that input_table was given. Throws std::out_of_range if `input` has no such columns.
-StressTable stress_table(const InputTable& input);
-
 }  // namespace flowslide

@@ -30,18 +30,13 @@ struct SlideRecord {
   ExchangeRecord exchanges{};        ///< what metrics are made of, whatever rows are kept
 };
 
-/// What a caller may add to a run.
-struct SlideHooks {
-  /// Told after each row, such as to measure profiles.
-  std::function<void(const Slide&, const Series&)> row;
-  /// Told after each global step; false ends the run. For progress and signals: must be cheap.
-  std::function<bool(const SlideState&)> go_on;
-};
+/// Called after each global step, for progress, profiles and signals. false ends the run.
+using StepObserver = std::function<bool(const SlideState&)>;
 
-/// Steps a slide until a condition is met, and records it. Returns that condition, or Stop::not_yet if a hook ended it;
-/// only then there is no last row. The mean stress of a row is that of the sample's bulk (see Sample::mean_stress), and
+/// Steps a slide until a condition is met, and records it. Returns that condition, or Stop::not_yet if `go_on` ended
+/// the run; only then there is no last row. The mean stress of a row is that of the sample's bulk (see Sample::mean_stress), and
 /// its inertial numbers are built on it: of the rate applied, and of the rate of the slope, which in RI differ.
 /// Throws NumericalFailure.
-Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const SlideHooks& hooks = {});
+Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const StepObserver& go_on = {});
 
 }  // namespace flowslide

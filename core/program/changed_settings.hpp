@@ -12,8 +12,8 @@ namespace flowslide {
 ///
 /// Left out is what decides how a run is computed, not what: the engines, the draw and the number of the samples (seed,
 /// replicates, seed_offsets, found_preparation_frictions, most_trials), the rows that are kept, the time steps of the
-/// grains (local_time_step, preparation.time_step, shear.time_step) and allow_unstable. Left out, too, are the tables
-/// [point.<name>], [sample.<name>], [scheme.<name>] and [axis.<name>] that a study adds, as no claim is about them.
+/// grains (local_time_step, preparation.time_step) and allow_unstable. Left out, too, are the tables [point.<name>],
+/// [sample.<name>], [scheme.<name>] and [axis.<name>] that a study adds, as no claim is about them.
 std::vector<std::string> changed_settings(const Configuration& configuration);
 
 }  // namespace flowslide

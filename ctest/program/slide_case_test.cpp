@@ -8,6 +8,7 @@
 #include "input/read_samples.hpp"
 #include "program/slide_program.hpp"
 #include "record/gnuplot_table.hpp"
+#include "support/stress_table.hpp"
 
 namespace flowslide {
 namespace {
