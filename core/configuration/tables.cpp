@@ -30,8 +30,12 @@ void Tables::accept(std::initializer_list<const char*> names) const {
 
 std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name) {
   std::vector<std::string> tables{list + "." + name};
-  const std::string key = tables.front() + ".like";
-  if (configuration.has(key)) tables.push_back(list + "." + configuration.text(key, configuration.subtables(list)));
+  for (std::string key = tables.front() + ".like"; configuration.has(key); key = tables.back() + ".like") {
+    const std::string next = list + "." + configuration.text(key, configuration.subtables(list));
+    if (std::find(tables.begin(), tables.end(), next) != tables.end())
+      configuration.refuse(key, "leads back to a table that is like this one", "name a table that is like no other");
+    tables.push_back(next);
+  }
   return tables;
 }
 

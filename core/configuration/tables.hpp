@@ -71,8 +71,9 @@ class Tables {
   TableNames tables_;
 };
 
-/// The tables where the keys of the table [<list>.<name>] stand: its own, then [<list>.<other>] if it says like =
-/// "<other>". Throws ConfigurationError when there is no such other table.
+/// The tables where the keys of [<list>.<name>] stand: its own, then [<list>.<other>] if it says like = "<other>", and
+/// so on. Throws ConfigurationError when a table of that name is missing, or when the tables are like each other in a
+/// circle.
 std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name);
 
 /// The tables `name` within each of `tables`, then `others`.
