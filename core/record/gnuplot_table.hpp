@@ -11,16 +11,26 @@
 
 namespace flowslide {
 
-/// A series as text that gnuplot plots as it is:
+/// Key and value of each header line of a table, in order.
+using TableHeader = std::vector<std::pair<std::string, std::string>>;
+
+/// A series as a text file <name>.dat. The first line has the names of the columns, for gnuplot's column("time"),
+/// numpy.genfromtxt(names=True) and pandas.read_csv(sep=r"\s+", comment="#"). Comments follow, then the rows:
+///   time shear_stress
 ///   # case: fig03_undrained
 ///   # column 1: time | t | s | time |
 ///   # column 2: shear_stress | tau | Pa | shear stress | positive downslope
 ///   0 2650
 /// Numbers have the fewest digits that give back the same double.
 struct Table {
-  std::vector<std::pair<std::string, std::string>> header;  ///< key and value of each header line, in order
+  TableHeader header;
   Series series;
 };
+
+/// The lines of a table above its rows, for tables that are no Series, such as those with a column of text. The rows
+/// below them have a word without blanks, or a number, for each column; blanks are between. The values of `columns`
+/// are not read. Units of text are "text". Throws std::invalid_argument for a name that is_valid_name refuses.
+std::string table_head(const std::vector<Column>& columns, const TableHeader& header = {});
 
 /// Writes whole or not at all. Throws std::invalid_argument if the series must not be written, FileError otherwise.
 void write_table(const std::filesystem::path& path, const Table& table, IfExists if_exists = IfExists::replace);
@@ -28,7 +38,8 @@ void write_table(const std::filesystem::path& path, const Table& table, IfExists
 /// The table of a result: header case, point, figure, scale, seed, replicate, engine, configuration, revision.
 Table table_of(const Result& result);
 
-/// Reads what write_table wrote, bit for bit. Throws CorruptFileError with the line, FileError if it is missing.
+/// Reads what write_table wrote, bit for bit. Throws CorruptFileError with the line, FileError if it is missing. Tables
+/// of versions whose first line was a comment are refused.
 Table read_table(const std::filesystem::path& path);
 
 /// The fewest digits that give back the same double, in the notation that is shorter, such as "0.1" or "1e-07".

@@ -27,10 +27,10 @@ struct Disc {
 /// The grains that can be seen, in the order in which to draw them (back to front).
 std::vector<Disc> draw_grains(const Assembly& assembly, const View& view = {});
 
-/// Writes the picture for gnuplot, whole or not at all. First block: one disc a row, columns across, up, radius (m),
-/// shade, role: `plot FILE index 0 using 1:2:3:(COLOUR of 4 and 5) with circles fillcolor rgb variable fill solid`.
-/// Second block (index 1): the edges of the cell in front of the grains, two rows and an empty one each, columns
-/// across, up: `plot FILE index 1 using 1:2 with lines`. Third block (index 2): those behind, to be drawn first.
+/// Writes the picture as a table (see table_head), whole or not at all: a row for each disc, then two for each edge of
+/// the cell, with an empty line behind each edge. Columns: across, up, radius (m), shade, part. `part` tells mobile
+/// grains (0), glued grains (1 below, 2 above) and edges (3 in front of the grains, 4 behind them). Edges behind are to
+/// be drawn first, those in front last.
 void write_picture(const std::filesystem::path& path, const Assembly& assembly, const View& view = {});
 
 }  // namespace flowslide

@@ -6,13 +6,14 @@
 
 namespace flowslide {
 
-/// Labels of the curves of a figure, for plots/style.gp: the table legend.dat, a line "point<TAB>label" for each.
+/// Labels of the curves of a figure, for plots/style.gp: the file legend.txt, a line "point<TAB>label" for each. It is no
+/// table (see table_head): a label may hold blanks.
 class Legend {
  public:
   /// `label` may hold gnuplot's mark-up.
   void add(const std::string& point, const std::string& label) { text_ += point + "\t" + label + "\n"; }
 
-  /// Without labels the table has its head alone: each curve has the name of its point.
+  /// Without labels the file has its head alone: each curve has the name of its point.
   void write(const OutputFolder& output) const;
 
  private:
