@@ -30,9 +30,9 @@ std::string label_of(const std::string& setting, Scene scene);
 /// One table for each scene, by cost, in Markdown, and the recommendations below it.
 std::string markdown(const Report& report);
 
-/// Writes table.md, for each scene errors_<scene>.dat (label in quotes, axis, seconds, grain steps, error over spread,
-/// whether that is below the noise: 1 or 0; rows without an error are left out) and <scene>_front.dat, paper.dat (scene,
-/// seconds with LIGGGHTS at the paper's settings), and table.h5 with all of it, sealed as results are.
+/// Writes table.md, for each scene errors_<scene>.dat (label, axis, seconds, grain steps, error over spread, whether that
+/// is below the noise: 1 or 0; rows without an error are left out) and <scene>_front.dat, paper.dat (scene, seconds with
+/// LIGGGHTS at the paper's settings), and table.h5 with all of it, sealed as results are. Text has '_' for each blank.
 void write_report(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace flowslide
