@@ -241,6 +241,8 @@ TEST_F(SampleCache, NamesTheFileOfAnotherVersion) {
   const std::string key = cache_key(easy.recipe, preparation_identity("block", "1"));
   Assembly assembly;
   assembly.resize(1);
+  assembly.radius[0] = 3e-3;
+  assembly.cell.upper = Vector3(0.01, 0.01, 0.01);
   SampleStore(folder()).put(key, {"recipe", assembly, {{"void_ratio", 0.75, "1", "void ratio"}}});
   ElasticBlock engine;
   const auto [code, message] = end(engine);
