@@ -167,14 +167,15 @@ std::string Configuration::unknown_message(const Entry& entry) const {
                          : did_you_mean(entry.key, candidates, "none is like it; --dry-run prints those there are"));
 }
 
-/// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.
+/// Whether the user gives a value that no reader uses. The user would wrongly expect an effect. Unused values of the
+/// case file and its base are allowed: they are defaults.
 bool Configuration::is_in_vain(const Entry& entry) const {
   return !is_published_origin(entry) && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
 }
 
 void Configuration::reject_unknown() const {
   std::vector<std::string> messages;
-  std::vector<std::string> tables;  // what stands below an unknown table needs no word of its own
+  std::vector<std::string> tables;  // unknown tables: keys below them get no message of their own
   const auto check = [&](const Entry& entry) {
     if (!base_.empty() && entry.key_place.origin == base_) return;  // other cases read it
     const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
@@ -221,7 +222,7 @@ std::vector<Change> Configuration::changes() const {
 
 Configuration::Lines Configuration::resolved_lines() const {
   Lines lines = resolved_;
-  // A table that was asked for counts, even when nothing of it was read. Backwards: children before parents.
+  // A table that was asked for is shown as {} if none of its keys was read. Backwards: children before parents.
   for (auto key_at = known_.rbegin(); key_at != known_.rend(); ++key_at) {
     const std::string& key = *key_at;
     const Entry* entry = find(key);

@@ -19,8 +19,8 @@ namespace {
 struct Unit {
   std::string_view symbol;
   Dimension dimension;
-  double numerator = 1.0;    // one unit is numerator / denominator in SI; both exact, so that each
-  double denominator = 1.0;  // conversion rounds as a division or a product of exact numbers does
+  double numerator = 1.0;    // one unit is numerator/denominator in SI units; both are exact numbers (except pi),
+  double denominator = 1.0;  // so a conversion rounds once for the product and once for the quotient
 };
 
 constexpr std::array units{
@@ -54,7 +54,7 @@ constexpr std::array units{
     Unit{"%", dimension::dimensionless, 1.0, 1e2},
 };
 
-/// Spellings that are not taken, and the symbol to propose.
+/// Spellings that are refused, and the symbol that the message proposes.
 struct Alias {
   std::string_view spelling;
   std::string_view symbol;
@@ -74,7 +74,7 @@ struct Named {
   std::string_view name;
   std::string_view unit;  // SI
   std::string_view example;
-  std::string_view usual{};  // a unit that people have in mind when they write none; empty: the SI unit
+  std::string_view usual{};  // the unit that users probably mean if they write none; empty: the SI unit
 };
 
 constexpr std::array named{
@@ -121,12 +121,12 @@ const Unit& unit_named(std::string_view symbol, std::string_view text) {
   fail(text, fmt::format("has an unknown unit \"{}\"; {} Known units: {}", symbol, proposed, fmt::join(symbols, " ")));
 }
 
-/// Reads products of units behind a number.
+/// Reads the product of units after a number.
 class UnitReader {
  public:
   UnitReader(std::string_view text, std::string_view rest) : text_(text), rest_(rest) {}
 
-  /// Multiplies the units into `quantity`.
+  /// Multiplies `quantity` by the units: converts its value to SI units and adds their exponents to its dimension.
   void read(Quantity& quantity) {
     bool divide = false;
     bool operand_due = false;
@@ -146,7 +146,7 @@ class UnitReader {
   }
 
  private:
-  /// Bytes beyond ASCII, too: no unit has one, but a message should show the whole symbol.
+  /// Includes bytes beyond ASCII. No unit has one, but the message about an unknown unit then shows the whole symbol.
   static bool is_symbol(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
   }
@@ -157,7 +157,7 @@ class UnitReader {
 
   void read_factor(Quantity& quantity, bool divide) {
     if (rest_.starts_with("1/")) {
-      rest_.remove_prefix(1);  // the one of "1/s"
+      rest_.remove_prefix(1);  // the 1 of "1/s"
       return;
     }
     std::size_t length = 0;

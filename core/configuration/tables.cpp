@@ -6,7 +6,7 @@
 namespace flowslide {
 
 std::string Tables::key(const char* name) const {
-  // All are asked, so that each knows the key: one that a nearer table overrides is no misspelling.
+  // Asks every table, which marks the key as known in each. An overridden key is not a misspelled one.
   std::string found;
   for (const std::string& table : tables_.names()) {
     const std::string candidate = table + "." + name;
