@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double most_steps_allowed = 1e12;  // a double counts them one by one
+constexpr double most_steps_allowed = 1e12;  // a double represents every integer up to this number
 
 ConstantRate read_constant_rate(const Tables& table) {
   ConstantRate loading{table.quantity("rate", dimension::stress_rate)};
@@ -36,14 +36,14 @@ std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
                        coupling.positive("rested_strain", dimension::dimensionless)};
 }
 
-/// Refuses a dt_G beyond the limit of stability `limit` (s) of `what`.
+/// Refuses dt_G above `limit` (s), the limit of stability of `what`.
 void check_stability(const Tables& table, double time_step, double limit, const std::string& what) {
   if (time_step <= limit) return;
   table.refuse("time_step", fmt::format("is unstable: {} allows at most {:.3g} s", what, limit),
                "choose a smaller step, or give --allow-unstable to see what happens");
 }
 
-/// Refuses portions of strain that hide from the slope what its sample answers meanwhile.
+/// Refuses n_accum if the slope would use a held stress for too long: see read_coupling. `swing_limit` is 2/omega, s.
 void check_portions(const Tables& table, const SlideSettings& settings, double swing_limit) {
   double least = 1.0;
   if (const auto* carry = std::get_if<CarryRemainder>(&settings.passing.rule))

@@ -16,8 +16,7 @@
 namespace flowslide {
 namespace {
 
-/// Reads one word as a number; a word that is none, or not finite, is refused. The decimal sign is a point whatever the
-/// locale.
+/// Reads one word as a finite number. Throws ConfigurationError for any other word.
 double number_of(std::string_view word, const std::string& place) {
   std::string_view digits = word;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);

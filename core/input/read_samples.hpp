@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The parts of a configuration that all cases share, as the structures that they stand for.
+// Reads slope, material and samples from a configuration.
 #pragma once
 
 #include <string>
@@ -12,26 +12,32 @@
 
 namespace flowslide {
 
-/// Table [slope]: Table 2 and the angle.
+/// Reads the table [slope]: Table 2 of the paper and the angle. Throws ConfigurationError.
 SlopeProperties read_slope(const Configuration& configuration);
 
-/// Table [material]: Table 1 and the rolling parameters that it leaves open.
+/// Reads the table [material]: Table 1 of the paper and the rolling parameters, which Table 1 does not give. Throws
+/// ConfigurationError.
 Material read_material(const Configuration& configuration, const TableNames& tables = "material");
 
-/// Names of the tables [sample.<name>] that are read. Those that stand in the base of the case file alone are read if
-/// a point names them: several cases share the base.
+/// Names of the samples to read, from the tables [sample.<name>]. Several cases share one base, so a sample that only
+/// the base defines is read only if a table [point.<name>] uses it.
 std::vector<std::string> samples_in_use(const Configuration& configuration);
 
-/// The samples in use, made of [material] as [packing] and [preparation] say, to the stresses of the slope;
-/// tables of these names within a sample stand in front of them, key by key. `isotropic` samples bear no shear stress;
-/// those with `periodic_height`, false where it is not said, have no glued layers (see SampleRecipe). `replicate` (from
-/// 0) shifts the seed. What a search has found before spares the next one its trials: a sample may have a list
-/// `seed_offsets` with the shift of each replicate, and a list `found_preparation_frictions` with its mu_1. Throws
-/// ConfigurationError.
+/// Reads the samples in use. Each is prepared as [material], [packing] and [preparation] say, to the initial stresses
+/// of the slope. For each key, a table of the same name below [sample.<name>] comes first. The keys of [sample.<name>]:
+///   void_ratio, tolerance, most_trials  the void ratio to find, and the limits of the search
+///   preparation_friction, drag          mu_1 and the drag coefficient with which the search starts
+///   isotropic                           true: no initial shear stress
+///   periodic_height                     true: no glued layers (see SampleRecipe); optional, false
+///   seed_offsets                        shift of the seed for each replicate; optional
+///   found_preparation_frictions         mu_1 for each replicate; optional
+/// The two lists hold the results of an earlier search and save the trials of the next. `replicate` (from 0) selects
+/// their items. Without an item for it, the seed is shifted by 1000 `replicate`. Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 
-/// Refuses the value of `key` (s) as a DEM time step unless it suits grains of that diameter (m) and material.
+/// Refuses the value of `key` (s) if it exceeds the longest DEM time step for this smallest diameter (m) and material,
+/// a fraction of the Rayleigh time (see longest_time_step).
 void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
                      const Material& material);
 
