@@ -7,11 +7,11 @@
 
 namespace flowslide {
 
-/// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
-/// configuration.
+/// A loading table in the form that a result stores: columns "time" (s) and "stress_change" (Pa, positive downslope).
+/// `file` is its name in the configuration.
 InputTable input_table(const std::string& file, const StressTable& table);
 
-/// The table that input_table was given. Throws std::out_of_range if `input` has no such columns.
+/// The inverse of input_table. Throws std::out_of_range if `input` does not have these columns.
 StressTable stress_table(const InputTable& input);
 
 }  // namespace flowslide
