@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string> scale_names{"quick", "paper"};
 
-/// One word of a command as a shell would have to read it.
+/// One word of a command, quoted for a POSIX shell where needed.
 std::string shell_word(std::string_view word) {
   const auto plain = [](char c) {
     constexpr std::string_view signs = "_-+=./:,@%";
@@ -30,9 +30,9 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-constexpr std::size_t most_listed = 24;  ///< names in a message
+constexpr std::size_t most_listed = 24;  ///< a message lists at most this number of names
 
-/// A check that refuses any text but one of `names`, and proposes the nearest.
+/// A check that accepts only one of `names`, and proposes the nearest one.
 auto one_of(const std::vector<std::string>& names) {
   return [names](const std::string& text) -> std::string {
     if (std::find(names.begin(), names.end(), text) != names.end()) return "";
@@ -43,7 +43,7 @@ auto one_of(const std::vector<std::string>& names) {
   };
 }
 
-/// A check that refuses any text but an integer from `least` to `most`.
+/// A check that accepts only an integer from `least` to `most`.
 auto integer_from(std::int64_t least, std::int64_t most) {
   return [least, most](const std::string& text) -> std::string {
     std::int64_t value = 0;
@@ -60,7 +60,7 @@ std::string key_and_value(const std::string& text) {
   return fmt::format("\"{}\" is not KEY=VALUE; write, for example, slope.angle=\"6 deg\"", text);
 }
 
-/// What the options fill before they are turned into a CommandLine.
+/// The options as CLI11 reads them. `fill` turns them into a CommandLine.
 struct Raw {
   std::vector<std::string> settings;
   std::int64_t seed = 0;
@@ -195,7 +195,8 @@ std::string footer(const std::string& name) {
   throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
 }
 
-/// A time above 0 in s; `unset` for an option that was not given. `likely_unit` is proposed for a bare number.
+/// The time of an option, s, > 0; `unset` if the option was not given. The message about a missing unit proposes
+/// `likely_unit`.
 double time_in(const std::string& text, const char* option, std::string_view likely_unit, double unset) {
   if (text.empty()) return unset;
   try {

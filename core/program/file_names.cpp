@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-/// Written by every case program.
+/// Names of files and folders that every case program writes.
 const std::vector<std::string> program_names{"claims", "changes", "so_far", "table"};
 
 class Owners {

@@ -11,7 +11,7 @@
 namespace flowslide {
 
 void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples) {
-  std::map<std::string, std::size_t> first;  // replicate by the name and the recipe of its sample
+  std::map<std::string, std::size_t> first;  // name and recipe of a sample -> its first replicate
   for (std::size_t replicate = 0; replicate < samples.size(); ++replicate)
     for (const SampleSpecification& sample : samples[replicate]) {
       const auto [known, is_new] = first.emplace(sample.name + "\n" + sample.recipe.text(), replicate);
@@ -28,7 +28,7 @@ void refuse_equal_samples(const std::vector<Provenance>& results) {
   std::map<std::string, const Provenance*> first;
   for (const Provenance& result : results) {
     const std::size_t blank = result.sample.find(' ');
-    if (blank == std::string::npos) continue;  // not made of grains
+    if (blank == std::string::npos) continue;  // a closed-form sample
     const Provenance& known = *first.emplace(result.sample, &result).first->second;
     if (known.replicate == result.replicate) continue;
     const std::string table = result.sample.substr(0, blank);

@@ -19,8 +19,8 @@
 namespace flowslide {
 namespace {
 
-constexpr int free_slide_steps = 1000;     ///< enough for a prediction
-constexpr double strain_at_peak = 0.01;    ///< about that of loose samples: passed at the rate of the full stress
+constexpr int free_slide_steps = 1000;     ///< time steps of the slide on a sample without strength
+constexpr double strain_at_peak = 0.01;    ///< strain at the peak of loose samples, about; up to it p is about p_0
 
 const SampleSpecification& sample_named(const Configuration& configuration, const std::string& key,
                                         const std::vector<SampleSpecification>& samples) {
@@ -44,7 +44,7 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-/// The tables where the keys of a point stand: its own, and that of the point that it is like.
+/// The tables in which keys of a point are looked up: its own, then that of the point given by `like`.
 std::vector<std::string> tables_of(const Configuration& configuration, const std::string& name) {
   std::vector<std::string> tables{"point." + name};
   const std::string key = tables.front() + ".like";
@@ -52,14 +52,14 @@ std::vector<std::string> tables_of(const Configuration& configuration, const std
   return tables;
 }
 
-/// Tables `name` within `tables`, then `others`.
+/// Order of lookup: the tables `name` below each of `tables`, then `others`.
 TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others) {
   for (std::string& table : tables) table += "." + name;
   tables.insert(tables.end(), others.begin(), others.end());
   return tables;
 }
 
-/// The engine of a point; `common` is that of the case.
+/// The engine of a point. `common` is the engine of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
   const std::string own = table.text("engine", engine_names());
@@ -88,7 +88,7 @@ std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
                      point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
-/// What several keys make together. Whatever is left to fail, fails by the numbers of the run.
+/// Checks that depend on several keys. After them a run can fail only numerically.
 void check_together(const Tables& table, const SlidePoint& point) {
   const SlideSettings& settings = point.settings;
   as_written_by_user("point " + point.name, [&] {
