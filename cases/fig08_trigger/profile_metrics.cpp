@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-constexpr std::size_t near_a_plane = 3;  ///< sublayers that are called top and bottom
+constexpr std::size_t near_a_plane = 3;  ///< number of sublayers in "top" and in "bottom"
 
 double mean(const std::vector<double>& values, std::size_t from, std::size_t to) {
   double sum = 0.0;

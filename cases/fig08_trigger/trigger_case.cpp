@@ -15,7 +15,7 @@ namespace flowslide {
 
 namespace {
 
-/// A line of peaks.dat: where tau of the first sample is largest; none if it has no peak.
+/// A line of peaks.dat: name of the slide, time (s), tau and sigma (Pa) at the peak of tau. Empty if there is no peak.
 std::string peak_line(const std::string& name, const Result& result) {
   const auto metric = [&](const char* wanted) { return statistics_of(values_of({result}, wanted)).median; };
   const double time = metric("time_at_peak"), shear = metric("peak_shear_stress");
