@@ -14,7 +14,7 @@
 namespace flowslide {
 namespace {
 
-/// Slope of the straight line that fits y over x best.
+/// Slope of the least-squares line of y over x.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
   double x_mean = 0.0, y_mean = 0.0, xx = 0.0, xy = 0.0;
   const auto share = 1.0 / static_cast<double>(x.size());

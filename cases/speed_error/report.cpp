@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-/// What a figure shows in place of an error that is smaller, over the spread: its axis is logarithmic.
+/// Smallest error/spread that a figure shows. Its axis is logarithmic, so smaller values are replaced by this one.
 constexpr double least_shown = 1e-4;
 
 std::string title_of(Scene scene) {
@@ -49,7 +49,8 @@ const PaperCost* paper_of(const Report& report, Scene scene) {
   return found == report.paper.end() ? nullptr : &found->second;
 }
 
-/// How many times as fast as LIGGGHTS at the paper's settings: with the grains of this run, and with the paper's.
+/// Two cells: the speed-up against LIGGGHTS at the settings of the paper, with the number of grains of this run, and
+/// with that of the paper.
 std::string speed_up(const PaperCost* paper, double seconds, double grains) {
   if (paper == nullptr || !(seconds > 0.0)) return "- | -";
   const double times = paper->seconds() / seconds;
@@ -121,7 +122,7 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
   write_atomically(folder / "paper.dat", paper);
 }
 
-/// One group for each scene: /<scene>/table, its columns row by row; settings, axes and references, names one a line.
+/// Writes the group /<scene>: the table with its columns, and the names of settings, axes and references, one per line.
 void write_scene(hdf5::Group& root, const Report& report, Scene scene) {
   Series series;
   series.axis = {"row", "row", "1", "row of the table, by cost", "", {}};

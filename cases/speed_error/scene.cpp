@@ -10,17 +10,18 @@
 namespace flowslide {
 namespace {
 
-constexpr double peak_before = 0.02;       ///< strain within which a loose sample has its peak
-constexpr double liquefied = 0.1;          ///< share of the first sigma
+constexpr double peak_before = 0.02;       ///< a loose sample reaches its peak before this strain
+constexpr double liquefied = 0.1;          ///< sigma / initial sigma at which a sample counts as liquefied
 constexpr double half = 0.5;               ///< strain
-constexpr double half_width = 5e-3;        ///< of the window about it
+constexpr double half_width = 5e-3;        ///< half width of the window around this strain
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Peak {
   double place, value;
 };
 
-/// The largest of `values` where `strain` is below peak_before, by a parabola through it and its neighbours over `at`.
+/// The largest of `values` up to the strain peak_before, refined by a parabola through this row and its neighbours.
+/// `at`: abscissa.
 Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, const std::vector<double>& strain) {
   std::size_t top = 0;
   for (std::size_t row = 0; row < values.size() && strain[row] <= peak_before; ++row)
@@ -34,7 +35,8 @@ Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, c
   return {at[top] + shift, values[top] + shift * (slope + shift * curvature)};
 }
 
-/// `at` where `values` first falls to `level`, which is below the first of them, by a straight line.
+/// The abscissa `at` where `values` first falls to `level`, by linear interpolation; NaN if it does not. The first
+/// value must be above `level`.
 double first_fall(const std::vector<double>& at, const std::vector<double>& values, double level) {
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (values[row] > level) continue;
