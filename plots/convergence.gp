@@ -18,11 +18,8 @@ file(c, k) = slide_name(c, w_of(k), i_of(k)).".dat"
 slides = ""
 do for [c = 1:2] { do for [k = 1:curves_drawn] { slides = slides." ".file(c, k) } }
 alone_tables = "DEM_low.dat DEM_high.dat"; spread_tables = "DEM_low_over_shear_strain.dat DEM_high_over_shear_strain.dat"
-tables = alone_tables." ".spread_tables." legend.dat".slides
+tables = alone_tables." ".spread_tables." legend.txt".slides
 load here."style.gp"
-eval columns("", slides, "time velocity shear_strain shear_stress normal_stress")
-eval columns("alone_", alone_tables, "shear_strain shear_stress normal_stress")
-eval columns("spread_", spread_tables, "shear_strain shear_stress_lowest shear_stress_highest")
 
 array colour[4] = [orange, green, blue, purple]
 number(c) = c == 1 ? "10^{−4}" : "10^{−2}"
@@ -44,9 +41,9 @@ do for [format in "png pdf"] {
     set title title(1, c, "stress path")
     if (c == 1) { set key left top Left reverse } else { unset key }
     plot for [k = 1:curves_drawn] slide(c, k) \
-           using (kilo * column(normal_stress)):(kilo * column(shear_stress)) \
+           using (kilo * column("normal_stress")):(kilo * column("shear_stress")) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
-         alone(c) using (kilo * column(alone_normal_stress)):(kilo * column(alone_shear_stress)) \
+         alone(c) using (kilo * column("normal_stress")):(kilo * column("shear_stress")) \
            with lines linewidth 1.2 dashtype 2 linecolor rgb black title "pure DEM", \
          for [i = 1:4] keyentry with lines linewidth 1.2 linecolor rgb colour[i] \
            title "{/:Italic Δt_G} = ".label_of(slide_name(1, 1, i))." s"
@@ -57,13 +54,13 @@ do for [format in "png pdf"] {
     set title title(2, c, "stress-strain response")
     set xrange [0:(c == 1 ? 2 : 5)]
     if (c == 1) { set key right top noreverse Right } else { unset key }
-    plot spread(c) using (percent * column(spread_shear_strain)):(kilo * column(spread_shear_stress_lowest)): \
-           (kilo * column(spread_shear_stress_highest)) \
+    plot spread(c) using (percent * column("shear_strain")):(kilo * column("shear_stress_lowest")): \
+           (kilo * column("shear_stress_highest")) \
            with filledcurves linecolor rgb grey title "pure DEM, all samples", \
          for [k = 1:curves_drawn] slide(c, k) \
-           using (percent * column(shear_strain)):(kilo * column(shear_stress)) \
+           using (percent * column("shear_strain")):(kilo * column("shear_stress")) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle, \
-         alone(c) using (percent * column(alone_shear_strain)):(kilo * column(alone_shear_stress)) \
+         alone(c) using (percent * column("shear_strain")):(kilo * column("shear_stress")) \
            with lines linewidth 1.2 dashtype 2 linecolor rgb black notitle, \
          for [w = 1:ways_drawn] keyentry with lines linewidth 1.2 dashtype dash(w) linecolor rgb black title way_label[w]
   }
@@ -74,7 +71,7 @@ do for [format in "png pdf"] {
   set xrange [0:0.1]; set yrange [0:0.25]; set ytics 0.05
   do for [c = 1:2] {
     set title title(3, c, "sliding velocity")
-    plot for [k = 1:curves_drawn] slide(c, k) using (column(time)):(column(velocity)) \
+    plot for [k = 1:curves_drawn] slide(c, k) using (column("time")):(column("velocity")) \
            with lines linewidth 1.2 dashtype dash(w_of(k)) linecolor rgb colour[i_of(k)] notitle
   }
   set ytics autofreq

@@ -1,31 +1,31 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 2: the sample (A) at the end of preparation, (B) during shear; the glued layers are dark.
-# Tables: index 0 circles from back to front: radius (m), shade (0 dark to 1 bright), role (0 free, else glued); index 1
-# and 2 the edges of the cell in front and behind; of all, where they stand: across, up (m).
+# Tables: circles from back to front, then the edges of the cell, two ends each: where they are (across, up, m), radius
+# (m; 0 of an edge), shade (0 dark to 1 bright), part (see below).
 tables = "fig02_before.dat fig02_during.dat"
 command = "./reproduce fig02"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig02.gp")]
 load here."style.gp"
-eval columns("", tables, "across up radius shade role")
 
 array title[2] = ["end of preparation", "during shear"]
+# Parts. One table holds all, as gnuplot 5.4 reads the names of the columns again from each block (index) of a file.
+free = 0; edge_in_front = 3; edge_behind = 4   # 1 and 2 are glued grains
+is_grain(part) = part < edge_in_front
+across_of(part) = column("part") == part ? column("across") : NaN
 # Free grains light, glued ones dark, both brighter towards their highlight.
-grey_level(shade, role) = int(role == 0 ? 105 + 140 * shade : 15 + 80 * shade)
-rgb(shade, role) = 0x010101 * grey_level(shade, role)
+grey_level(shade, part) = int(part == free ? 105 + 140 * shade : 15 + 80 * shade)
+rgb(shade, part) = 0x010101 * grey_level(shade, part)
 
 # One frame for both pictures, so that they have one scale: it holds all circles and edges.
 left = 1e9; right = -1e9; bottom = 1e9; top = -1e9
 do for [table in tables] {
-  do for [block = 0:2] {
-    reach(i) = block == 0 ? column(i) : 0
-    stats data(table) index block using (column(across) - reach(radius)) name "L" nooutput
-    stats data(table) index block using (column(across) + reach(radius)) name "R" nooutput
-    stats data(table) index block using (column(up) - reach(radius)) name "B" nooutput
-    stats data(table) index block using (column(up) + reach(radius)) name "T" nooutput
-    left = left < L_min ? left : L_min; right = right > R_max ? right : R_max
-    bottom = bottom < B_min ? bottom : B_min; top = top > T_max ? top : T_max
-  }
+  stats data(table) using (column("across") - column("radius")) name "L" nooutput
+  stats data(table) using (column("across") + column("radius")) name "R" nooutput
+  stats data(table) using (column("up") - column("radius")) name "B" nooutput
+  stats data(table) using (column("up") + column("radius")) name "T" nooutput
+  left = left < L_min ? left : L_min; right = right > R_max ? right : R_max
+  bottom = bottom < B_min ? bottom : B_min; top = top > T_max ? top : T_max
 }
 edge = 0.01 * (right - left)
 
@@ -39,11 +39,11 @@ set xrange [left - edge:right + edge]; set yrange [bottom - edge:top + edge]
 set style fill solid noborder
 do for [i = 1:2] {
   set title panel(word("A B", i), title[i])
-  grains = data(word(tables, i))
-  plot grains index 2 using (column(across)):(column(up)) with lines linewidth 0.6 linecolor rgb grey notitle, \
-       grains index 0 using (column(across)):(column(up)):(column(radius)):(rgb(column(shade), column(role))) \
-         with circles fillcolor rgb variable notitle, \
-       grains index 1 using (column(across)):(column(up)) with lines linewidth 0.6 linecolor rgb black notitle
+  sample = data(word(tables, i))
+  plot sample using (across_of(edge_behind)):(column("up")) with lines linewidth 0.6 linecolor rgb grey notitle, \
+       sample using (is_grain(column("part")) ? column("across") : NaN):(column("up")):(column("radius")): \
+         (rgb(column("shade"), column("part"))) with circles fillcolor rgb variable notitle, \
+       sample using (across_of(edge_in_front)):(column("up")) with lines linewidth 0.6 linecolor rgb black notitle
 }
 unset multiplot
 set output

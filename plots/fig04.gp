@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 4: two loading rates, and two stress formulas on each: Bagi's (eq. 12, lines), Nicot's (eq. 13, marks).
 points = "I_1e-4 I_2e-2"
-tables = "I_1e-4.dat I_2e-2.dat legend.dat"
+tables = "I_1e-4.dat I_2e-2.dat legend.txt"
 command = "./reproduce fig04"
 script = ARG0; folder = ARG1; picture = ARG2; beside = ARG3
 here = script[1:strlen(script) - strlen("fig04.gp")]
 load here."style.gp"
-eval columns("", "I_1e-4.dat I_2e-2.dat", \
-  "shear_strain bagi_shear_stress bagi_normal_stress nicot_shear_stress nicot_normal_stress")
 
 array colour[2] = [blue, vermillion]
 array mark[2] = [6, 4]
@@ -31,23 +29,23 @@ do for [format in "png pdf"] {
   set xrange [0:30 < *]; set yrange [0:*]
   set offsets 0, 0, graph 0.25, 0   # room for the key
   set key at graph 0.02, 1 left top Left reverse
-  plot for [i = 1:2] table(i) using (kilo * column(bagi_normal_stress)):(kilo * column(bagi_shear_stress)) \
+  plot for [i = 1:2] table(i) using (kilo * column("bagi_normal_stress")):(kilo * column("bagi_shear_stress")) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
-       for [i = 1:2] other_table(i) using (kilo * column(bagi_normal_stress)):(if_others * kilo * column(bagi_shear_stress)) \
-         with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : "", \
-       for [i = 1:2] table(i) every step[i] using (kilo * column(nicot_normal_stress)):(kilo * column(nicot_shear_stress)) \
-         with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
+       for [i = 1:2] other_table(i) using (kilo * column("bagi_normal_stress")): \
+         (if_others * kilo * column("bagi_shear_stress")) with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] title i == 1 ? other_label : "", \
+       for [i = 1:2] table(i) every step[i] using (kilo * column("nicot_normal_stress")): \
+         (kilo * column("nicot_shear_stress")) with points pointtype mark[i] pointsize 0.6 linecolor rgb black title label_of(word(points, i)).", Nicot"
 
   set title panel("B", "stress-strain response")
   set xlabel "shear strain {/:Italic γ} (%)"
   set xrange [0:*] noextend
   unset key
-  plot for [i = 1:2] table(i) using (percent * column(shear_strain)):(kilo * column(bagi_shear_stress)) \
+  plot for [i = 1:2] table(i) using (percent * column("shear_strain")):(kilo * column("bagi_shear_stress")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
-       for [i = 1:2] other_table(i) using (percent * column(shear_strain)):(if_others * kilo * column(bagi_shear_stress)) \
-         with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:2] table(i) every step[i] using (percent * column(shear_strain)):(kilo * column(nicot_shear_stress)) \
-         with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
+       for [i = 1:2] other_table(i) using (percent * column("shear_strain")): \
+         (if_others * kilo * column("bagi_shear_stress")) with lines linewidth 0.8 dashtype 2 linecolor rgb colour[i] notitle, \
+       for [i = 1:2] table(i) every step[i] using (percent * column("shear_strain")): \
+         (kilo * column("nicot_shear_stress")) with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
 
   unset multiplot
   set output

@@ -8,16 +8,13 @@ command = "./reproduce fig09"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig09.gp")]
 load here."style.gp"
-eval columns("", bands, "shear_strain normal_stress_median normal_stress_lowest normal_stress_highest")
-eval columns("", frictions, "friction_median friction_lowest friction_highest")
-eval columns("friction_", frictions, "shear_strain")
-eval columns("steady_", "steady_friction.dat", "slide friction")
 
 schemes = "RD RI"
 array colour[2] = [vermillion, blue]
 array label[2] = ["rate-dependent (RD)", "rate-independent (RI)"]
 band(i) = data(word(bands, i))
 mu(i) = data(word(frictions, i))
+steady_names = names_in("steady_friction.dat")
 steady_from = 50   # %, where the paper sees a steady state
 last = 150
 
@@ -33,9 +30,9 @@ do for [format in "png pdf"] {
   eval frame(bands, "set xrange [0:100]")
   set logscale y; set format y "10^{%T}"; set yrange [1e-4:300]
   set key right top Left reverse
-  plot for [i = 1:2] band(i) using (percent * column(shear_strain)):(kilo * column(normal_stress_lowest)): \
-         (kilo * column(normal_stress_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using (percent * column(shear_strain)):(kilo * column(normal_stress_median)) \
+  plot for [i = 1:2] band(i) using (percent * column("shear_strain")):(kilo * column("normal_stress_lowest")): \
+         (kilo * column("normal_stress_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] band(i) using (percent * column("shear_strain")):(kilo * column("normal_stress_median")) \
          with lines linewidth 1.2 linecolor rgb colour[i] title label[i]
   unset logscale y; set format y "% h"
 
@@ -47,12 +44,12 @@ do for [format in "png pdf"] {
   set arrow 1 from first steady_from, graph 0 to first steady_from, graph 1 \
     nohead linewidth 0.8 dashtype 3 linecolor rgb grey
   set key right bottom Right noreverse
-  plot for [i = 1:2] mu(i) using (percent * column(friction_shear_strain)):(column(friction_lowest)): \
-         (column(friction_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] mu(i) using (percent * column(friction_shear_strain)):(column(friction_median)) \
+  plot for [i = 1:2] mu(i) using (percent * column("shear_strain")):(column("friction_lowest")): \
+         (column("friction_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] mu(i) using (percent * column("shear_strain")):(column("friction_median")) \
          with lines linewidth 0.8 linecolor rgb colour[i] notitle, \
        for [i = 1:2] data("steady_friction.dat") \
-         using (strcol(steady_slide) eq word(schemes, i)."_hold" ? steady_from : NaN):(column(steady_friction)): \
+         using (text_in(steady_names, "slide") eq word(schemes, i)."_hold" ? steady_from : NaN):(column("friction")): \
          (last - steady_from):(0) with vectors nohead linewidth 2 linecolor rgb colour[i] \
          title word(schemes, i).", {/:Italic μ}_{ss}"
   unset arrow 1

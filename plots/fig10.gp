@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 10: profiles over the height of the sample by RD, before and after liquefaction, median and range of the
 # replicates: (A) velocity, (B) shear stress, (C) normal stress.
-tables = "RD_ramp_profiles_band.dat legend.dat"
+tables = "RD_ramp_profiles_band.dat legend.txt"
 command = "./reproduce fig10"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig10.gp")]
@@ -15,16 +15,9 @@ quantities = "velocity shear_stress normal_stress"
 array shown[3] = ["velocity", "shear stress", "normal stress"]
 array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", \
   "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
-eval columns("", "RD_ramp_profiles_band.dat", "relative_height")
+names = names_in("RD_ramp_profiles_band.dat")
 # A run that ends before the strain of a profile has none.
-names = ""
-do for [what in quantities] {
-  do for [i = 1:profiles] {
-    do for [of in "median lowest highest"] { names = names.sprintf(" %s_%d_%s", what, i, of) }
-  }
-}
-eval optional_columns("", "RD_ramp_profiles_band.dat", names)
-number(q, i, of) = value(sprintf("%s_%d_%s", word(quantities, q), i, of))
+profile(q, i, of) = optional(names, sprintf("%s_%d_%s", word(quantities, q), i, of))
 inner(q) = q == 1 ? 0 : 1   # the outer sublayers lie partly behind the glued layers: no stress of theirs is shown
 last_layer = rows("RD_ramp_profiles_band.dat") - 1
 within(value) = value < -0.5 ? -0.5 : value > 2.5 ? 2.5 : value   # what leaves the frame, leaves it by this
@@ -44,11 +37,11 @@ do for [format in "png pdf"] {
     set xrange [0:(q == 1 ? 1 : 2)]
     set arrow 1 from first (q == 1 ? 0 : 1), 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
     plot for [i = 1:profiles] table every ::inner(q)::last_layer - inner(q) \
-           using (within(column(number(q, i, "median")))):(column(relative_height)): \
-           (within(column(number(q, i, "lowest")))):(within(column(number(q, i, "highest")))) \
+           using (within(column(profile(q, i, "median")))):(column("relative_height")): \
+           (within(column(profile(q, i, "lowest")))):(within(column(profile(q, i, "highest")))) \
            with xerrorbars linewidth 0.6 pointtype mark[i] pointsize 0.4 linecolor rgb colour[i] notitle, \
          for [i = 1:profiles] table every ::inner(q)::last_layer - inner(q) \
-           using (within(column(number(q, i, "median")))):(column(relative_height)) \
+           using (within(column(profile(q, i, "median")))):(column("relative_height")) \
            with linespoints linewidth 1.2 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] \
            title label_of(sprintf("profile_%d", i))
     unset arrow 1

@@ -9,9 +9,6 @@ command = "./reproduce fig11"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig11.gp")]
 load here."style.gp"
-eval columns("band_", bands, "displacement velocity_median velocity_lowest velocity_highest")
-eval columns("wide_", wide_bands, "displacement pore_pressure_median pore_pressure_lowest pore_pressure_highest")
-eval columns("", slides, "shear_strain shear_stress normal_stress")
 
 array colour[2] = [vermillion, blue]
 array label[2] = ["rate-dependent (RD)", "rate-independent (RI)"]
@@ -32,9 +29,9 @@ do for [format in "png pdf"] {
   set offsets 0, 0, graph 0.2, 0   # room for the key
   set key left top Left reverse
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
-  plot for [i = 1:2] band(i) using (column(band_displacement)):(column(band_velocity_lowest)): \
-         (column(band_velocity_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using (column(band_displacement)):(column(band_velocity_median)) \
+  plot for [i = 1:2] band(i) using (column("displacement")):(column("velocity_lowest")): \
+         (column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] band(i) using (column("displacement")):(column("velocity_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label[i]
 
   set offsets
@@ -42,16 +39,16 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   unset key
-  plot for [i = 1:2] wide(i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_lowest)): \
-         (kilo * column(wide_pore_pressure_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] wide(i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
+  plot for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_lowest")): \
+         (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle
 
   set title panel("C", "stress path to liquefaction")
   set xlabel "normal stress {/:Italic σ} (kPa)"; set ylabel "shear stress {/:Italic τ} (kPa)"
   set xrange [0:30]; set yrange [0:6]
-  plot for [i = 1:2] one(i) using (column(shear_strain) < 0.1 ? kilo * column(normal_stress) : NaN): \
-    (kilo * column(shear_stress)) with lines linewidth 1.2 linecolor rgb colour[i] notitle
+  plot for [i = 1:2] one(i) using (column("shear_strain") < 0.1 ? kilo * column("normal_stress") : NaN): \
+    (kilo * column("shear_stress")) with lines linewidth 1.2 linecolor rgb colour[i] notitle
   unset multiplot
   set output
 }

@@ -10,13 +10,11 @@ do for [i = 1:3] {
     wide_bands = wide_bands." ".slide(s, i)."_windows.dat"
   }
 }
-tables = "legend.dat".bands.wide_bands
+tables = "legend.txt".bands.wide_bands
 command = "./reproduce fig12"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig12.gp")]
 load here."style.gp"
-eval columns("band_", bands, "displacement velocity_median velocity_lowest velocity_highest")
-eval columns("wide_", wide_bands, "displacement pore_pressure_median pore_pressure_lowest pore_pressure_highest")
 
 array colour[3] = [sky, purple, vermillion]
 table(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
@@ -34,11 +32,11 @@ do for [format in "png pdf"] {
   set yrange [0:*]
   set key left top Left reverse
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
-  plot for [s in "RI RD"] for [i = 1:3] table(s, i) using (column(band_displacement)):(column(band_velocity_lowest)): \
-         (column(band_velocity_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RI", i) using (column(band_displacement)):(column(band_velocity_median)) \
+  plot for [s in "RI RD"] for [i = 1:3] table(s, i) using (column("displacement")):(column("velocity_lowest")): \
+         (column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:3] table("RI", i) using (column("displacement")):(column("velocity_median")) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RD", i) using (column(band_displacement)):(column(band_velocity_median)) \
+       for [i = 1:3] table("RD", i) using (column("displacement")):(column("velocity_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(slide("RD", i)), \
        keyentry with lines linewidth 1.2 linecolor rgb black title "RD", \
        keyentry with lines linewidth 1.2 dashtype 2 linecolor rgb black title "RI"
@@ -48,11 +46,11 @@ do for [format in "png pdf"] {
   set yrange [0:30]
   unset key
   plot for [s in "RI RD"] for [i = 1:3] wide(s, i) \
-         using (column(wide_displacement)):(kilo * column(wide_pore_pressure_lowest)): \
-         (kilo * column(wide_pore_pressure_highest)) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] wide("RI", i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
+         using (column("displacement")):(kilo * column("pore_pressure_lowest")): \
+         (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:3] wide("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:3] wide("RD", i) using (column(wide_displacement)):(kilo * column(wide_pore_pressure_median)) \
+       for [i = 1:3] wide("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle
   unset multiplot
   set output

@@ -12,25 +12,19 @@ do for [i = 1:6] {
     coarse_bands = coarse_bands." ".slide(s, i)."_coarse.dat"
   }
 }
-tables = "sweep.dat critical.dat legend.dat".slides.bands.coarse_bands
+tables = "sweep.dat critical.dat legend.txt".slides.bands.coarse_bands
 command = "./reproduce fig13"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig13.gp")]
 load here."style.gp"
-eval columns("", slides, "displacement velocity")
-eval columns("band_", bands, "displacement velocity_median")
-eval columns("coarse_", coarse_bands, "displacement pore_pressure_median")
-eval columns("critical_", "critical.dat", "lower upper")
-names = "hydraulic_conductivity"
-do for [s in "RD RI"] { do for [of in "median lowest highest"] { names = names." ".s."_largest_velocity_".of } }
-eval optional_columns("", "sweep.dat", names)   # a run that is too short has no largest velocity
-largest(s, of) = value(s."_largest_velocity_".of)
+names = names_in("sweep.dat")
+largest(s, of) = optional(names, s."_largest_velocity_".of)   # a run that is too short has none
 
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
 median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
 coarse(scheme, i) = data(slide(scheme, i)."_coarse.dat")
 sweep = data("sweep.dat")
-lower = first_of("critical.dat", critical_lower); upper = first_of("critical.dat", critical_upper)
+lower = first_of("critical.dat", "lower"); upper = first_of("critical.dat", "upper")
 papers = 4e-5                # m/s, the critical k of the paper
 tens = 1e5                   # m/s to 1e-5 m/s
 
@@ -47,8 +41,8 @@ do for [format in "png pdf"] {
     scheme = word("RD RI", s)
     set title panel(word("A B", s), s == 1 ? "rate-dependent (RD)" : "rate-independent (RI)")
     plot for [i = 1:6] for [r = 1:replicates(slide(scheme, i))] replicate_file(slide(scheme, i), r) \
-           using (column(displacement)):(column(velocity)) with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:6] median(scheme, i) using (column(band_displacement)):(column(band_velocity_median)) \
+           using (column("displacement")):(column("velocity")) with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
+         for [i = 1:6] median(scheme, i) using (column("displacement")):(column("velocity_median")) \
            with lines linewidth 1.8 linecolor rgb colour[i] notitle
   }
 
@@ -56,9 +50,9 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   set key at graph 1.06, 1.02 right top Left reverse title "{/:Italic k} (m/s)" enhanced
-  plot for [i = 1:6] coarse("RI", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
+  plot for [i = 1:6] coarse("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:6] coarse("RD", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
+       for [i = 1:6] coarse("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
        for [i = 1:6] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title label_of(slide("RD", i))
 
@@ -73,7 +67,7 @@ do for [format in "png pdf"] {
   }
   set arrow 1 from first tens * papers, graph 0 to first tens * papers, graph 1 nohead dashtype 2 linecolor rgb black
   set label 1 "paper's critical {/:Italic k}" at first tens * papers, graph 0.06 offset 0.5, 0
-  plot for [s in "RD RI"] sweep using (tens * column(hydraulic_conductivity)):(column(largest(s, "median"))): \
+  plot for [s in "RD RI"] sweep using (tens * column("hydraulic_conductivity")):(column(largest(s, "median"))): \
          (column(largest(s, "lowest"))):(column(largest(s, "highest"))) \
          with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s eq "RD" ? vermillion : blue) title s
   unset object 1; unset arrow 1; unset label 1

@@ -12,18 +12,18 @@ do for [i = 1:4] {
     coarse_bands = coarse_bands." ".slide(s, i)."_coarse.dat"
   }
 }
-tables = "sweep.dat legend.dat".slides.bands.coarse_bands
+tables = "sweep.dat legend.txt".slides.bands.coarse_bands
 command = "./reproduce fig14"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig14.gp")]
 load here."style.gp"
-eval columns("", slides, "displacement velocity")
-eval columns("band_", bands, "displacement velocity_median")
-eval columns("coarse_", coarse_bands, "displacement pore_pressure_median")
-names = "paper_void_ratio RD_initial_void_ratio_median"
-do for [s in "RD RI"] { do for [of in "median lowest highest"] { names = names." ".s."_largest_velocity_".of } }
-eval optional_columns("", "sweep.dat", names)   # a run that is too short has no largest velocity
-largest(s, of) = value(s."_largest_velocity_".of)
+names = names_in("sweep.dat")
+largest(s, of) = optional(names, s."_largest_velocity_".of)   # a run that is too short has none
+void_ratio = "RD_initial_void_ratio_median"
+
+# gnuplot 5.4 crashes when it draws labels all of which are undefined: a missing column stands outside the frame.
+or_outside(name) = name eq "" ? -1 : column(name)
+paper_text(name) = name eq "" ? "" : sprintf("%.3f", column(name))
 
 array colour[4] = [vermillion, orange, sky, blue]
 median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
@@ -43,8 +43,8 @@ do for [format in "png pdf"] {
     scheme = word("RD RI", s)
     set title panel(word("A B", s), s == 1 ? "rate-dependent (RD)" : "rate-independent (RI)")
     plot for [i = 1:4] for [r = 1:replicates(slide(scheme, i))] replicate_file(slide(scheme, i), r) \
-           using (column(displacement)):(column(velocity)) with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
-         for [i = 1:4] median(scheme, i) using (column(band_displacement)):(column(band_velocity_median)) \
+           using (column("displacement")):(column("velocity")) with lines linewidth 0.4 linecolor rgb colour[i] notitle, \
+         for [i = 1:4] median(scheme, i) using (column("displacement")):(column("velocity_median")) \
            with lines linewidth 1.8 linecolor rgb colour[i] notitle
   }
 
@@ -52,9 +52,9 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
   set yrange [0:30]
   set key at graph 1.06, 1.02 right top Left reverse title "paper's {/:Italic e}_0" enhanced
-  plot for [i = 1:4] coarse("RI", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
+  plot for [i = 1:4] coarse("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 0.9 dashtype 2 linecolor rgb colour[i] notitle, \
-       for [i = 1:4] coarse("RD", i) using (column(coarse_displacement)):(kilo * column(coarse_pore_pressure_median)) \
+       for [i = 1:4] coarse("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.1 linecolor rgb colour[i] notitle, \
        for [i = 1:4] keyentry with lines linewidth 1.8 linecolor rgb colour[i] title label_of(slide("RD", i))
 
@@ -65,16 +65,16 @@ do for [format in "png pdf"] {
   set offsets graph 0.2, graph 0.08, 0, 0
   set key at graph 0.02, 1.0 left top Left reverse notitle
   # Without values, or with one void ratio alone, as of a closed-form sample, there is no range to choose.
-  one = first_of("sweep.dat", RD_initial_void_ratio_median); mean = mean_of("sweep.dat", RD_initial_void_ratio_median)
-  if (value("RD_largest_velocity_median") == missing_column || one != one || abs(one - mean) < 1e-6) {
+  one = first_of("sweep.dat", void_ratio); mean = mean_of("sweep.dat", void_ratio)
+  if (largest("RD", "median") eq "" || one != one || abs(one - mean) < 1e-6) {
     set xrange [(one == one ? one - 0.05 : 0.7):(one == one ? one + 0.05 : 0.9)]
   }
-  plot for [s in "RD RI"] sweep using (column(RD_initial_void_ratio_median)):(column(largest(s, "median"))): \
+  plot for [s in "RD RI"] sweep using (column(optional(names, void_ratio))):(column(largest(s, "median"))): \
          (column(largest(s, "lowest"))):(column(largest(s, "highest"))) \
          with yerrorlines linewidth 1.2 pointtype 7 pointsize 0.6 linecolor rgb (s eq "RD" ? vermillion : blue) \
          title s, \
-       sweep using (column(RD_initial_void_ratio_median)):(column(RI_largest_velocity_median)): \
-         (sprintf("%.3f", column(paper_void_ratio))) with labels right offset -0.7, 0.5 notitle
+       sweep using (or_outside(optional(names, void_ratio))):(or_outside(largest("RI", "median"))): \
+         (paper_text(optional(names, "paper_void_ratio"))) with labels right offset -0.7, 0.5 notitle
   set offsets; set xtics autofreq
   unset multiplot
   set output

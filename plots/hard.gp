@@ -8,7 +8,6 @@ here = script[1:strlen(script) - strlen("hard.gp")]
 load here."style.gp"
 
 scan = data("time_step_details.dat")
-eval columns("", tables, "rayleigh_share peak_ratio edge_share")
 
 do for [format in "png pdf"] {
   eval terminal(format, 14, 6.2)
@@ -21,11 +20,12 @@ do for [format in "png pdf"] {
   set xlabel "{/:Italic dt_L} over the Rayleigh time"
   set xrange [0:2.05]
   set arrow 1 from 0.65, graph 0 to 0.65, graph 1 nohead linecolor rgb grey
-  plot scan using (column(rayleigh_share)):(column(peak_ratio)) with points pointtype 7 pointsize 0.5 linecolor rgb blue
+  plot scan using (column("rayleigh_share")):(column("peak_ratio")) \
+         with points pointtype 7 pointsize 0.5 linecolor rgb blue
   set title panel("B", "by the contacts (line: stopped beyond)")
   set xlabel "share of the edge of stability"
   set arrow 1 from 1, graph 0 to 1, graph 1 nohead linecolor rgb grey
-  plot scan using (column(edge_share)):(column(peak_ratio)) \
+  plot scan using (column("edge_share")):(column("peak_ratio")) \
          with points pointtype 7 pointsize 0.5 linecolor rgb vermillion
   unset multiplot
   set output

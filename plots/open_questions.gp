@@ -15,13 +15,10 @@ array mark[2] = [8, 7]
 profile(s) = data("hold_".sample[s]."_profiles_band.dat")
 profiles = "hold_glued_profiles_band.dat hold_homogeneous_profiles_band.dat"
 sizes = "sizes_glued.dat sizes_homogeneous.dat"
-eval columns("", profiles, "relative_height")
-eval optional_columns("", profiles, "velocity_3_median velocity_3_lowest velocity_3_highest")   # at 30 % strain
-eval columns("", sizes, "grains largest_velocity_median largest_velocity_lowest largest_velocity_highest")
-eval columns("", "mu_of_I_loose.dat mu_of_I_middle.dat mu_of_I_dense.dat", "inertial_number friction void_ratio")
-eval columns("law_", "mu_of_I_laws.dat", "inertial_number fitted glass_beads")
+array names[2] = [names_in(word(profiles, 1)), names_in(word(profiles, 2))]
+velocity(s, of) = optional(names[s], "velocity_3_".of)   # at 30 % strain
 states(kind) = data("mu_of_I_".kind.".dat")
-named(kind) = sprintf("{/:Italic e} = %.2f", mean_of("mu_of_I_".kind.".dat", void_ratio))
+named(kind) = sprintf("{/:Italic e} = %.2f", mean_of("mu_of_I_".kind.".dat", "void_ratio"))
 array kind_mark[3] = [7, 4, 8]; array kind_colour[3] = [blue, orange, purple]
 
 do for [format in "png pdf"] {
@@ -36,10 +33,10 @@ do for [format in "png pdf"] {
   set xrange [0:1]; set yrange [0:1]
   set key bottom right Left reverse
   set arrow 1 from first 0, 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
-  plot for [s = 1:2] profile(s) using (column(velocity_3_median)):(column(relative_height)): \
-         (column(velocity_3_lowest)):(column(velocity_3_highest)) \
+  plot for [s = 1:2] profile(s) using (column(velocity(s, "median"))):(column("relative_height")): \
+         (column(velocity(s, "lowest"))):(column(velocity(s, "highest"))) \
          with xerrorbars linewidth 0.6 pointtype mark[s] pointsize 0.4 linecolor rgb colour[s] notitle, \
-       for [s = 1:2] profile(s) using (column(velocity_3_median)):(column(relative_height)) \
+       for [s = 1:2] profile(s) using (column(velocity(s, "median"))):(column("relative_height")) \
          with linespoints linewidth 1.2 pointtype mark[s] pointsize 0.6 linecolor rgb colour[s] title shown[s]
   unset arrow 1
 
@@ -51,8 +48,8 @@ do for [format in "png pdf"] {
   set xtics (300, 1000, 3000, "10^4" 10000)
   set key bottom right Left reverse
   eval frame(sizes, "set yrange [0:1]")
-  plot for [s = 1:2] data(word(sizes, s)) using (column(grains)):(column(largest_velocity_median)): \
-         (column(largest_velocity_lowest)):(column(largest_velocity_highest)) \
+  plot for [s = 1:2] data(word(sizes, s)) using (column("grains")):(column("largest_velocity_median")): \
+         (column("largest_velocity_lowest")):(column("largest_velocity_highest")) \
          with yerrorbars linewidth 1.2 pointtype mark[s] pointsize 0.7 linecolor rgb colour[s] title shown[s]
 
   set title panel("C", "friction of steady shear")
@@ -62,11 +59,11 @@ do for [format in "png pdf"] {
   set format x "10^{%T}"; set xtics 1e-4, 10
   set key top left Left reverse
   laws = data("mu_of_I_laws.dat")
-  plot laws using (column(law_inertial_number)):(column(law_glass_beads)) \
+  plot laws using (column("inertial_number")):(column("glass_beads")) \
          with lines linewidth 1.2 dashtype 2 linecolor rgb grey title "glass beads", \
-       laws using (column(law_inertial_number)):(column(law_fitted)) \
+       laws using (column("inertial_number")):(column("fitted")) \
          with lines linewidth 1.2 linecolor rgb black title "fitted", \
-       for [k = 1:3] states(word("loose middle dense", k)) using (column(inertial_number)):(column(friction)) \
+       for [k = 1:3] states(word("loose middle dense", k)) using (column("inertial_number")):(column("friction")) \
          with points linewidth 1.2 pointtype kind_mark[k] pointsize 0.7 linecolor rgb kind_colour[k] \
          title named(word("loose middle dense", k))
   unset multiplot

@@ -6,10 +6,6 @@ command = "./reproduce fig02_sample"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample.gp")]
 load here."style.gp"
-eval columns("", "fig02_slices_x.dat fig02_slices_y.dat fig02_slices_z.dat", \
-             "place void_ratio lowest_random highest_random")
-eval columns("", "fig02_distances.dat", "distance density")
-eval columns("", "fig02_contacts.dat", "contacts share")
 
 array axis[3] = ["x", "y", "z"]
 array colour[3] = [sky, orange, black]
@@ -27,17 +23,18 @@ do for [format in "png pdf"] {
   set ylabel "void ratio {/:Italic e}" offset 1
   set xrange [0:1]
   set key top center Left reverse
-  plot slices(3) using (column(place)):(column(lowest_random)):(column(highest_random)) \
+  plot slices(3) using (column("place")):(column("lowest_random")):(column("highest_random")) \
          with filledcurves linecolor rgb 0xDDDDDD notitle, \
-       for [i = 1:3] slices(i) using (column(place)):(column(void_ratio)) with linespoints linewidth 1.2 pointtype mark[i] \
-         pointsize 0.5 linecolor rgb colour[i] title "across {/:Italic ".axis[i]."}"
+       for [i = 1:3] slices(i) using (column("place")):(column("void_ratio")) \
+         with linespoints linewidth 1.2 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] title "across {/:Italic ".axis[i]."}"
 
   set title panel("B", "pairs of grains")
   set xlabel "distance {/:Italic r} / {/:Italic D}"
   set ylabel "radial distribution {/:Italic g}"
   set xrange [0:3]
   unset key
-  plot data("fig02_distances.dat") using (column(distance)):(column(density)) with lines linewidth 1.2 linecolor rgb black
+  plot data("fig02_distances.dat") using (column("distance")):(column("density")) \
+         with lines linewidth 1.2 linecolor rgb black
 
   set title panel("C", "contacts")
   set xlabel "contacts of a grain"
@@ -45,7 +42,7 @@ do for [format in "png pdf"] {
   set xrange [-0.8:*]
   set boxwidth 0.8
   set style fill solid 0.6
-  plot data("fig02_contacts.dat") using (column(contacts)):(column(share)) with boxes linecolor rgb blue
+  plot data("fig02_contacts.dat") using (column("contacts")):(column("share")) with boxes linecolor rgb blue
   unset multiplot
   set output
 }

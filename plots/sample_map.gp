@@ -8,11 +8,9 @@ command = "scripts/sample_map"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample_map.gp")]
 load here."style.gp"
-eval columns("", "curves.dat", "preparation_friction preparation_drag preparation_restitution")
-eval columns("", "curves.dat", "initial_bulk_void_ratio mechanical_coordination_number")
-eval optional_columns("", "curves.dat", "peak_shear_stress")   # a sample that only dilates has none
-by_drag = words(values_of("curves.dat", preparation_drag)) > 1
-second = by_drag ? preparation_drag : preparation_restitution
+peak = optional(names_in("curves.dat"), "peak_shear_stress")   # a sample that only dilates has none
+by_drag = words(values_of("curves.dat", "preparation_drag")) > 1
+second = by_drag ? "preparation_drag" : "preparation_restitution"
 lines = values_of("curves.dat", second)
 lines_are = by_drag ? "drag {/:Italic c} (kg/s)" : "restitution"
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
@@ -32,8 +30,8 @@ do for [format in "png pdf"] {
   set ylabel "void ratio {/:Italic e}"
   set xtics 0.2
   unset key
-  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(preparation_friction))):(column(initial_bulk_void_ratio)) \
-         with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column("preparation_friction"))): \
+         (column("initial_bulk_void_ratio")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
 
   set xtics 0.02
   set ylabel "peak of τ (kPa)"
@@ -42,14 +40,14 @@ do for [format in "png pdf"] {
   set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, 0.5
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
-  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(initial_bulk_void_ratio))):(kilo * column(peak_shear_stress)) \
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column("initial_bulk_void_ratio"))):(kilo * column(peak)) \
          with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1]
   set title panel("C", "strength over contacts")
   set xlabel "coordination number without rattlers"
   set xtics 0.2
   set key top left reverse Left title lines_are
-  plot for [i = 1:words(lines)] map using (of(word(lines, i), column(mechanical_coordination_number))):(kilo * column(peak_shear_stress)) \
-         with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column("mechanical_coordination_number"))): \
+         (kilo * column(peak)) with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
   unset label 1; unset arrow 1
   set yrange [*:*]
   unset multiplot

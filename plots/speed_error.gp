@@ -10,28 +10,23 @@ here = script[1:strlen(script) - strlen("speed_error.gp")]
 load here."style.gp"
 errors = "errors_element.dat errors_trigger.dat errors_pulse.dat"
 fronts = "element_front.dat trigger_front.dat pulse_front.dat"
-eval columns("", errors, "axis seconds error_over_spread")
-eval columns("front_", fronts, "seconds error_over_spread")
-eval columns("paper_", "paper.dat", "scene seconds")
 
 array scene[3] = ["element", "trigger", "pulse"]
 array title[3] = ["element test", "trigger", "pulse"]
-array axis_names[15] = ["dt_L", "strain rate", "engine, precision", "E", "rolling", "all", "dt_G", "n_accum", \
-                        "eq. 18, 17", "stress every n-th", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
+array axis_names[15] = ["dt_L", "strain_rate", "engine,_precision", "E", "rolling", "all", "dt_G", "n_accum", \
+                        "eq._18,_17", "stress_every_n-th", "hybrid", "N", "RI:_floor", "RI:_I", "RI:_rest"]
 array shown[15] = ["dt_L", "strain rate", "engine", "E", "rolling", "all at once", "dt_G", "n_{accum}", "eqs 17, 18", \
                    "stress", "hybrid", "N", "RI: floor", "RI: I", "RI: rest"]
 array colour[15] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion, \
                     black, blue, green, vermillion]
 array symbol[15] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
-of_axis(s, i, action) = sprintf("LC_ALL=C awk -F '\\t' -v axis='\"%s\"' '$%d == axis %s' %s", axis_names[i], \
-                                axis, action, shell_quoted(path(word(errors, s))))
-rows_of(s, i) = "< ".of_axis(s, i, "")
-has(s, i) = int(system(of_axis(s, i, "{n = 1} END {print n + 0}")))
-paper(s) = real(system(sprintf("LC_ALL=C awk -F '\\t' -v s=%s '$%d == s {v = $%d} END {print v + 0}' %s", scene[s], \
-                               paper_scene, paper_seconds, shell_quoted(path("paper.dat")))))
+array axes_of[3] = [values_of("errors_element.dat", "axis"), values_of("errors_trigger.dat", "axis"), \
+                    values_of("errors_pulse.dat", "axis")]
+has(s, i) = strstrt(" ".axes_of[s]." ", " ".axis_names[i]." ") > 0
+seconds_of(i) = strcol("axis") eq axis_names[i] ? column("seconds") : NaN
+paper(s) = first_where("paper.dat", "seconds", "scene", scene[s])
 least_error = 1e-3; largest_error = 100.0
 
-set datafile separator "\t"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
@@ -57,11 +52,11 @@ do for [format in "png pdf"] {
     present = ""
     do for [i = 1:15] { if (has(s, i)) { present = present." ".i } }
     if (present eq "") {   # nothing of that scene has been run
-      plot here."nothing.dat" using (NaN):(NaN) notitle
+      plot data(word(fronts, s)) using (NaN):(NaN) notitle
     } else {
-      plot for [k in present] rows_of(s, k + 0) using (column(seconds)):(column(error_over_spread)) \
+      plot for [k in present] data(word(errors, s)) using (seconds_of(k + 0)):(column("error_over_spread")) \
              with points pointtype symbol[k + 0] pointsize 0.9 linecolor rgb colour[k + 0] title shown[k + 0], \
-           data(word(fronts, s)) using (column(front_seconds)):(column(front_error_over_spread)) \
+           data(word(fronts, s)) using (column("seconds")):(column("error_over_spread")) \
              with lines linewidth 0.8 linecolor rgb black notitle
     }
     unset object 1; unset arrow 1; unset label 1

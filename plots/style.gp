@@ -8,11 +8,13 @@ if (picture eq "") {
   print sprintf("usage: gnuplot -c %s DATADIR OUTPUT   (writes OUTPUT.png and OUTPUT.pdf)", script)
   exit status 2
 }
-# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out. data(NAME) is what
-# is drawn of a table, path(NAME) the table itself.
+# The first line of a table names its columns. A script writes column("time"), or column(EXPRESSION) with a name as value.
+set datafile columnheaders
+# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out. path(NAME) is the
+# table itself. data(NAME) is what is drawn of it: of a table without rows, of which gnuplot complains, a row of NaN.
 so_far = folder eq "so_far" || strlen(folder) > 6 && folder[strlen(folder) - 6:*] eq "/so_far"
 path(name) = so_far && !readable(folder."/".name) ? "/dev/null" : folder."/".name
-data(name) = rows(name) > 0 ? path(name) : here."nothing.dat"
+data(name) = rows(name) > 0 ? path(name) : "< ".awk("blank", "", name)
 # A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
 if (!exists("beside")) beside = ""
 others = beside eq "" ? 0 : 1
@@ -30,21 +32,28 @@ do for [table in tables] {
 
 # What table.awk says of some tables, which are named with blanks between.
 paths(tables, i) = i > words(tables) ? "" : shell_quoted(path(word(tables, i)))." ".paths(tables, i + 1)
-asked(what, options, tables) = \
-  system(sprintf("LC_ALL=C awk -f %s -v ask=%s %s %s", shell_quoted(here."table.awk"), what, options, paths(tables, 1)))
-# columns(PREFIX, TABLES, NAMES): to be evaluated. It sets PREFIXNAME to the number of each column, for tables that have the
-# same columns. A script names columns, never numbers. In a folder so_far a column may be missing: it has no values then.
-missing_column = 999
-columns(prefix, tables, names) = asked("columns", sprintf("-v prefix=%s -v wanted=%s -v missing=%d", \
-  shell_quoted(prefix), shell_quoted(names), so_far ? missing_column : 0), tables)
-# The same for columns that a table need not have, such as a profile that a run did not come to.
-optional_columns(prefix, tables, names) = asked("columns", sprintf("-v prefix=%s -v wanted=%s -v missing=%d", \
-  shell_quoted(prefix), shell_quoted(names), missing_column), tables)
+awk(what, options, tables) = \
+  sprintf("LC_ALL=C awk -f %s -v ask=%s %s %s", shell_quoted(here."table.awk"), what, options, paths(tables, 1))
+asked(what, options, tables) = system(awk(what, options, tables))
+unnamed = asked("unnamed", "", tables)
+if (unnamed ne "") {
+  print sprintf("%s: the first line of %s does not name its columns, as in tables of older versions. Make it again with: %s", \
+    script, unnamed, command)
+  exit status 2
+}
 rows(tables) = int(asked("rows", "", tables))
 number_in(text) = text eq "" ? NaN : real(text)
-first_of(table, number) = number_in(asked("first", sprintf("-v number=%d", number), table))
-values_of(table, number) = asked("values", sprintf("-v number=%d", number), table)   # those that differ, with blanks between
-mean_of(table, number) = number_in(asked("mean", sprintf("-v number=%d", number), table))
+first_of(table, name) = number_in(asked("first", "-v name=".name, table))
+first_where(table, name, key, value) = \
+  number_in(asked("first", sprintf("-v name=%s -v key=%s -v is=%s", name, key, shell_quoted(value)), table))
+values_of(table, name) = asked("values", "-v name=".name, table)   # those that differ, with blanks between
+mean_of(table, name) = number_in(asked("mean", "-v name=".name, table))
+# Columns that a table need not have, such as a profile that a run did not come to: with names = names_in(TABLE),
+# column(optional(names, NAME)) draws nothing where NAME is missing. Of column("") gnuplot does not complain.
+names_in(table) = asked("names", "", table)
+optional(names, name) = strstrt(names, " ".name." ") > 0 ? name : ""
+# The same for a column of text, of which strcol() ends the script where it is missing.
+text_in(names, name) = optional(names, name) eq "" ? "" : strcol(name)
 # frame(TABLES, RANGES): to be evaluated before a panel of tables that may have no rows, as gnuplot refuses to draw nothing
 # in a frame of its own choice. RANGES are commands such as "set yrange [0:1]".
 frame(tables, ranges) = rows(tables) > 0 ? "" : ranges
@@ -54,8 +63,8 @@ replicate_file(slide, r) = data(replicate(slide, r))
 replicates_from(slide, r) = readable(path(replicate(slide, r + 1))) ? replicates_from(slide, r + 1) : r
 replicates(slide) = replicates_from(slide, 1)
 
-# Labels of the curves: DATADIR/legend.dat, lines of `point<TAB>label`. A point that it does not name keeps its own name.
-label_of(point) = asked("label", "-v wanted=".shell_quoted(point), "legend.dat")
+# Labels of the curves: DATADIR/legend.txt, lines of `point<TAB>label`. A point that it does not name keeps its own name.
+label_of(point) = asked("label", "-v wanted=".shell_quoted(point), "legend.txt")
 
 other_label = others ? "dashed: ".system("basename -- ".shell_quoted(beside)) : ""
 

@@ -19,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Relation relation_of(const std::string& symbol) {
-  for (const Relation relation :
-       {Relation::less, Relation::at_most, Relation::greater, Relation::at_least, Relation::between})
-    if (symbol_of(relation) == symbol) return relation;
-  throw std::invalid_argument(fmt::format("a claim has the relation \"{}\", which is not known", symbol));
-}
-
 /// Files of a folder with this ending, sorted by name; none if the folder is absent.
 std::vector<fs::path> files_with(const fs::path& folder, std::string_view ending) {
   std::vector<fs::path> files;

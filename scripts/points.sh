@@ -11,27 +11,12 @@ points_of() {
   [[ -x $program ]] || die "flowslide: $program was not built; ./reproduce --build builds it" 1
   listing=$("$program" "$@" --list --json) || return
   # The listing is {"points": [{"name": "...", "figures": ["3", ...], "predicted_seconds": 1.5, ...}, ...]}.
-  tr '\n' ' ' <<<"$listing" | awk -v wanted="$figures" '
-    function field(text, key, pattern) {   # the text after "key": that matches pattern
-      if (!match(text, "\"" key "\"[ ]*:[ ]*" pattern)) return ""
-      text = substr(text, RSTART, RLENGTH)
-      sub("^\"" key "\"[ ]*:[ ]*", "", text)
-      gsub(/^[\["]|[\]"]$/, "", text)
-      return text
-    }
-    BEGIN {
-      RS = "{"
-      count = split(wanted, names, "\n")
-      for (i = 1; i <= count; ++i) if (names[i] ~ /^fig[0-9]+(_|$)/) numbers[substr(names[i], 4) + 0] = 1; else every = 1
-    }
-    {
-      name = field($0, "name", "\"[^\"]*\"")
-      if (name == "") next
-      chosen = every
-      count = split(field($0, "figures", "\\[[^]]*\\]"), of, ",")
-      for (i = 1; i <= count; ++i) { gsub(/[^0-9]/, "", of[i]); if (of[i] + 0 in numbers) chosen = 1 }
-      if (chosen) printf "%s\t%s\n", name, field($0, "predicted_seconds", "[-+.0-9eE]+") + 0
-    }' | sort -t "$(printf '\t')" -k 2,2gr
+  jq -r --arg wanted "$figures" '
+    ($wanted | split("\n") | map(select(. != ""))) as $names
+    | [$names[] | capture("^fig0*(?<number>[0-9]+)(_|$)").number] as $numbers
+    | .points[]
+    | select(($numbers | length) < ($names | length) or any(.figures[]; IN($numbers[])))
+    | "\(.name)\t\(.predicted_seconds)"' <<<"$listing" | sort -t "$(printf '\t')" -k 2,2gr
 }
 
 # wall_time JOBS: prints the wall time in seconds for the runs on stdin, in their order, JOBS at a time.

@@ -59,16 +59,6 @@ class Record {
   double scale_;
 };
 
-void add_peak(std::vector<Metric>& metrics, const Record& record) {
-  const double peak = record.largest("shear_stress", 0.0, first_window);
-  metrics.push_back({"peak_shear_stress", peak, "Pa", "largest shear stress up to 5 % strain"});
-  for (std::size_t row = 0; row < record.rows(); ++row)
-    if (record.at("shear_stress", row) == peak) {
-      metrics.push_back({"strain_at_peak", record.strain(row), "1", "shear strain at that stress"});
-      break;
-    }
-}
-
 /// Liquefaction and regain.
 void add_liquefaction(std::vector<Metric>& metrics, const Record& record) {
   const double end = record.final_strain();
@@ -130,10 +120,10 @@ void add_formulas(std::vector<Metric>& metrics, const Record& record) {
 
 }  // namespace
 
-std::vector<Metric> curve_metrics(const Series& series, double initial_normal_stress) {
+std::vector<Metric> curve_metrics(const Series& series, const StressPeak& peak, double initial_normal_stress) {
   const Record record(series, initial_normal_stress);
-  std::vector<Metric> metrics;
-  add_peak(metrics, record);
+  std::vector<Metric> metrics{{"peak_shear_stress", peak.stress, "Pa", "largest shear stress up to 5 % strain"},
+                              {"strain_at_peak", peak.strain, "1", "shear strain at that stress"}};
   add_liquefaction(metrics, record);
   add_rates(metrics, record);
   add_formulas(metrics, record);

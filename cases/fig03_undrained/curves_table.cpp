@@ -5,21 +5,22 @@
 
 #include <algorithm>
 
+#include "record/gnuplot_table.hpp"
+
 namespace flowslide {
 
 std::string curves_table(const std::vector<std::pair<std::string, std::vector<Metric>>>& curves) {
-  std::vector<std::string> names;
+  std::vector<Column> columns{{"curve", "", "text", "name of the curve", "", {}}};
   for (const auto& [curve, metrics] : curves)
     for (const Metric& metric : metrics)
-      if (std::find(names.begin(), names.end(), metric.name) == names.end()) names.push_back(metric.name);
-  std::string text = "# curve";
-  for (const std::string& name : names) text += "\t" + name;
-  text += "\n";
+      if (std::ranges::find(columns, metric.name, &Column::name) == columns.end())
+        columns.push_back({metric.name, "", metric.units, metric.long_name, "", {}});
+  std::string text = table_head(columns);
   for (const auto& [curve, metrics] : curves) {
     text += curve;
-    for (const std::string& name : names) {
-      const auto found = std::find_if(metrics.begin(), metrics.end(), [&](const Metric& of) { return of.name == name; });
-      text += found == metrics.end() ? "\tnan" : fmt::format("\t{:.9g}", found->value);
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+      const auto found = std::ranges::find(metrics, columns[i].name, &Metric::name);
+      text += found == metrics.end() ? " nan" : fmt::format(" {:.9g}", found->value);
     }
     text += "\n";
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "run/checkpoint.hpp"
@@ -8,25 +8,12 @@
 
 namespace flowslide {
 
-/// What Fig. 2 shows: the sample before shear and at a strain, for gnuplot, and a series for ParaView in between.
-class Pictures {
- public:
-  /// Without a strain nothing is kept and nothing written.
-  explicit Pictures(std::optional<double> strain) : strain_(strain) {}
+/// Strains of the frames up to `strain`, evenly from 0.
+std::vector<double> frame_strains(double strain);
 
-  /// Keeps the assembly if a picture is due at this strain.
-  void take(double time, double strain, const Assembly& assembly);
-  /// Writes fig02_before.dat and fig02_during.dat, the tables of the sample (see write_sample_tables), and <name>.pvd
-  /// with its .vtp files.
-  void write(const OutputFolder& output, const std::string& name) const;
-
-  /// What has been kept, for a checkpoint, and going on from there.
-  const std::vector<Shot>& shots() const { return shots_; }
-  void restore(const std::vector<Shot>& shots) { shots_ = shots; }
-
- private:
-  std::optional<double> strain_;
-  std::vector<Shot> shots_;
-};
+/// Writes what Fig. 2 shows: fig02_before.dat and fig02_during.dat, the sample at the first and at the last of the shots;
+/// the tables of the sample before shear (see write_sample_tables); and all shots for ParaView, <name>.pvd with its .vtp
+/// files in <name>_frames.
+void write_frames(const OutputFolder& output, const std::string& name, const std::vector<Shot>& shots);
 
 }  // namespace flowslide

@@ -62,7 +62,7 @@ double earliest_peak(const std::vector<Pair>& pairs) {
 }
 
 double median(const Ensemble& ensemble, const std::string& metric) {
-  return statistics_of(values_of(ensemble, metric)).median;
+  return statistics_of(ensemble, metric).median;
 }
 
 /// Mean velocity of RD / mean velocity of RI over the last tenth of the displacement that both reach.

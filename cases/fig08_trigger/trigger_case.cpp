@@ -15,13 +15,25 @@ namespace flowslide {
 
 namespace {
 
-/// A line of peaks.dat: name of the slide, time (s), tau and sigma (Pa) at the peak of tau. Empty if there is no peak.
+std::string steady_head() {
+  return table_head({{"slide", "", "text", "name of the slide", "", {}},
+                     {"friction", "mu_ss", "1", "mean steady friction of the replicates", "", {}},
+                     {"standard_error", "mu_ss", "1", "standard error of that mean", "", {}}});
+}
+
+std::string peaks_head() {
+  return table_head({{"slide", "", "text", "name of the slide", "", {}},
+                     {"time", "t", "s", "time at the peak of the shear stress", "", {}},
+                     {"shear_stress", "tau", "Pa", "shear stress at the peak", "positive downslope", {}},
+                     {"normal_stress", "sigma", "Pa", "normal stress at the peak", "compression positive", {}}});
+}
+
+/// A line of peaks.dat: where tau of the first sample is largest; none if it has no peak.
 std::string peak_line(const std::string& name, const Result& result) {
-  const auto metric = [&](const char* wanted) { return statistics_of(values_of({result}, wanted)).median; };
-  const double time = metric("time_at_peak"), shear = metric("peak_shear_stress");
-  const double normal = metric("normal_stress_at_peak");
+  const double time = metric_of(result, "time_at_peak"), shear = metric_of(result, "peak_shear_stress");
+  const double normal = metric_of(result, "normal_stress_at_peak");
   if (!std::isfinite(time + shear + normal)) return "";
-  return fmt::format("{}\t{}\t{}\t{}\n", name, time, shear, normal);
+  return fmt::format("{} {} {} {}\n", name, time, shear, normal);
 }
 
 }  // namespace
@@ -56,7 +68,7 @@ std::vector<std::string> TriggerCase::tables() const {
 
 void TriggerCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  std::string steady = "# slide\tfriction\tstandard_error\n", peaks = "# slide\ttime\tshear_stress\tnormal_stress\n";
+  std::string steady = steady_head(), peaks = peaks_head();
   for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
     peaks += peak_line(name, ensemble.front());
     if (!name.ends_with("_hold")) continue;
@@ -66,7 +78,7 @@ void TriggerCase::finish(const OutputFolder& output) const {
     const std::vector<double> values = values_of(ensemble, "steady_friction");
     if (values.empty()) continue;
     const Statistics all = statistics_of(values);
-    steady += fmt::format("{}\t{}\t{}\n", name, all.mean, all.standard_error);
+    steady += fmt::format("{} {} {}\n", name, all.mean, all.standard_error);
   }
   write_atomically(output.file("steady_friction.dat"), steady);
   write_atomically(output.file("peaks.dat"), peaks);

@@ -48,12 +48,10 @@ void add_parting(const Ensemble& rd, const Ensemble& ri, std::map<std::string, d
   metrics["parting_velocity.median"] = all.median;
   metrics["parting_velocity.lowest"] = all.lowest;
   metrics["parting_velocity.highest"] = all.highest;
-  const auto values = [](const Ensemble& ensemble, const char* metric) {
-    return statistics_of(values_of(ensemble, metric));
-  };
   metrics["RD_normal_stress_over_RI"] =
-      values(rd, "liquefied_normal_stress").median / values(ri, "liquefied_normal_stress").median;
-  metrics["acceleration_gap"] = values(ri, "acceleration_share").lowest - values(rd, "acceleration_share").highest;
+      statistics_of(rd, "liquefied_normal_stress").median / statistics_of(ri, "liquefied_normal_stress").median;
+  metrics["acceleration_gap"] =
+      statistics_of(ri, "acceleration_share").lowest - statistics_of(rd, "acceleration_share").highest;
 }
 
 void add_growth(const std::vector<SweepMember>& amplitudes, std::map<std::string, double>& metrics) {
@@ -69,7 +67,7 @@ void add_spread(const std::vector<SweepMember>& amplitudes, std::map<std::string
   if (amplitudes.size() < 2) return;
   std::vector<double> medians, ranges;
   for (const auto& [amplitude, ensemble] : amplitudes) {
-    const Statistics all = statistics_of(values_of(*ensemble, "largest_velocity"));
+    const Statistics all = statistics_of(*ensemble, "largest_velocity");
     medians.push_back(all.median);
     ranges.push_back(all.highest - all.lowest);
   }

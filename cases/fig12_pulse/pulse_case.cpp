@@ -5,10 +5,11 @@
 
 #include <cmath>
 
+#include "after_pulse.hpp"
 #include "comparison.hpp"
+#include "program/runout.hpp"
 #include "record/gnuplot_table.hpp"
 #include "run/legend.hpp"
-#include "runout_metrics.hpp"
 
 namespace flowslide {
 namespace {
@@ -24,7 +25,11 @@ PulseCase::PulseCase()
                  {"Fig. 11", "Fig. 12"},
                  {}}) {}
 
-std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const { return runout_metrics(outcome); }
+std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const {
+  std::vector<Metric> metrics = pulse_runout(outcome);
+  for (const Metric& metric : after_pulse(outcome)) metrics.push_back(metric);
+  return metrics;
+}
 
 std::vector<std::string> PulseCase::tables() const {
   std::vector<std::string> tables = SlideCase::tables();

@@ -82,7 +82,7 @@ void compare_conductivities(const Ensembles& slides, std::map<std::string, doubl
     const double k = ri[i].parameter;
     if (k > 0.0 && k < metrics.at("critical_conductivity")) below = std::fmax(below, change[i]);
     if (k > metrics.at("critical_conductivity_upper"))
-      stopped = std::fmin(stopped, statistics_of(values_of(*ri[i].ensemble, "sliding_stopped")).mean);
+      stopped = std::fmin(stopped, statistics_of(*ri[i].ensemble, "sliding_stopped").mean);
   }
   metrics["RI_change_below"] = below;
   metrics["RI_stopped_above"] = stopped;

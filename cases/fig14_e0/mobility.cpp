@@ -16,7 +16,7 @@ Statistics statistics(const Ensembles& slides, const std::string& scheme, const 
                       const std::string& metric) {
   const auto found = slides.find(scheme + "_e0_" + name);
   if (found == slides.end()) return {};
-  return statistics_of(values_of(found->second, metric));
+  return statistics_of(found->second, metric);
 }
 
 void add_shares(const Ensembles& slides, const std::string& quantity, const std::string& metric,

@@ -107,7 +107,7 @@ double energy_of(const Assembly& assembly, const Material& material) {
     const PairConstants pair =
         pair_constants(material, assembly.radius[contact.first], assembly.radius[contact.second]);
     const double root = std::sqrt(pair.effective_radius * contact.overlap);
-    const double tangential = 8.0 * pair.effective_shear_modulus * root;
+    const double tangential = mindlin_coefficient(pair) * root;
     const double rolling = material.rolling_stiffness * 4.0 / 3.0 * pair.effective_modulus * root *
                            std::pow(material.rolling_friction * pair.effective_radius, 2);
     energy += hertz_energy(pair, contact.overlap) + 0.5 * tangential * contact.force.tangential_spring.squaredNorm();

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 
 #include "dem/make_engine.hpp"
 #include "process/ranks.hpp"
+#include "program/named.hpp"
 #include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 #include "record/result_file.hpp"
@@ -50,7 +50,7 @@ std::vector<Point> HardCase::points() const {
 }
 
 const Scene& HardCase::scene(const std::string& name) const {
-  return *std::find_if(scenes_.begin(), scenes_.end(), [&](const Scene& s) { return s.name == name; });
+  return named(scenes_, "scene", name, &Scene::name);
 }
 
 void HardCase::print_plan(const Point& point, std::ostream& out) const {

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double mean_of(const Ensemble& ensemble, const std::string& metric) {
-  const std::vector<double> values = values_of(ensemble, metric);
-  return values.empty() ? 0.0 : statistics_of(values).mean;
-}
-
 SettingError setting_error(const Axis& axis, const std::string& setting, const Ensemble& runs,
                            const Ensemble& reference) {
   SettingError row{&axis, setting, {}, 0.0, "", 0.0, 0.0, 0.0, 0.0};
@@ -27,10 +22,13 @@ SettingError setting_error(const Axis& axis, const std::string& setting, const E
     if (std::isnan(ratio)) row.error_over_spread = infinite;
     row.worst = quantity;
   }
-  row.grains = mean_of(runs, "grains");
-  row.steps = mean_of(runs, "steps");
-  row.grain_steps = mean_of(runs, "grain_steps");
-  row.seconds = mean_of(runs, "processor_seconds");
+  const auto mean = [&](const char* metric) {  // a closed-form sample has no grains and takes no steps
+    return values_of(runs, metric).empty() ? 0.0 : statistics_of(runs, metric).mean;
+  };
+  row.grains = mean("grains");
+  row.steps = mean("steps");
+  row.grain_steps = mean("grain_steps");
+  row.seconds = mean("processor_seconds");
   return row;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/gnuplot_table.hpp"
 #include "record/hdf5.hpp"
 #include "record/sealed_file.hpp"
 #include "record/series_group.hpp"
@@ -101,24 +102,36 @@ std::string paper_text(const Report& report, Scene scene) {
                      paper->steps, 1e9 * paper->seconds_per_grain_step, paper->seconds() / 3600.0);
 }
 
+/// The text as one word of a table: with '_' for each blank.
+std::string word_of(std::string text) {
+  std::ranges::replace(text, ' ', '_');
+  return text;
+}
+
 void write_plot_tables(const std::filesystem::path& folder, const Report& report) {
+  const Column label{"label", "", "text", "setting", "", {}};
+  const Column seconds{"seconds", "t", "s", "processor time of straining the sample", "", {}};
+  const Column error{"error_over_spread", "", "1", "largest error over the spread over seeds", "", {}};
   for (const Scene scene : all_scenes) {
-    std::string all = "# label\taxis\tseconds\tgrain_steps\terror_over_spread\tbelow_noise\n";
+    std::string all = table_head({label, {"axis", "", "text", "what the setting changes, '_' for each blank", "", {}},
+                                  seconds, {"grain_steps", "N n_L", "1", "grains times DEM steps", "", {}}, error,
+                                  {"below_noise", "", "1", "1 if every error is at most the spread", "", {}}});
     for (const SettingError& row : report.errors)
       if (row.axis->scene == scene && std::isfinite(row.error_over_spread))
-        all += fmt::format("\"{}\"\t\"{}\"\t{}\t{}\t{}\t{}\n", label_of(row.setting, scene), row.axis->title,
+        all += fmt::format("{} {} {} {} {} {}\n", word_of(label_of(row.setting, scene)), word_of(row.axis->title),
                            row.seconds, row.grain_steps, std::max(row.error_over_spread, least_shown),
                            row.below_noise() ? 1 : 0);
     write_atomically(folder / ("errors_" + name_of(scene) + ".dat"), all);
-    std::string front = "# label\tseconds\terror_over_spread\n";
+    std::string front = table_head({label, seconds, error});
     for (const Candidate& candidate : report.candidates.at(scene))
       if (candidate.on_front)
-        front += fmt::format("\"{}\"\t{}\t{}\n", label_of(candidate.setting, scene), candidate.seconds,
+        front += fmt::format("{} {} {}\n", word_of(label_of(candidate.setting, scene)), candidate.seconds,
                              std::max(candidate.error_over_spread, least_shown));
     write_atomically(folder / (name_of(scene) + "_front.dat"), front);
   }
-  std::string paper = "# scene\tseconds\n";
-  for (const auto& [scene, cost] : report.paper) paper += fmt::format("{}\t{}\n", name_of(scene), cost.seconds());
+  std::string paper = table_head({{"scene", "", "text", "scene", "", {}},
+                                  {"seconds", "t", "s", "processor time by LIGGGHTS at the paper's settings", "", {}}});
+  for (const auto& [scene, cost] : report.paper) paper += fmt::format("{} {}\n", name_of(scene), cost.seconds());
   write_atomically(folder / "paper.dat", paper);
 }
 

@@ -10,8 +10,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double peak_before = 0.02;       ///< a loose sample reaches its peak before this strain
-constexpr double liquefied = 0.1;          ///< sigma / initial sigma at which a sample counts as liquefied
+constexpr double liquefied = 0.1;          ///< share of the first sigma
 constexpr double half = 0.5;               ///< strain
 constexpr double half_width = 5e-3;        ///< half width of the window around this strain
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -20,12 +19,10 @@ struct Peak {
   double place, value;
 };
 
-/// The largest of `values` up to the strain peak_before, refined by a parabola through this row and its neighbours.
-/// `at`: abscissa.
-Peak peak_of(const std::vector<double>& at, const std::vector<double>& values, const std::vector<double>& strain) {
-  std::size_t top = 0;
-  for (std::size_t row = 0; row < values.size() && strain[row] <= peak_before; ++row)
-    if (values[row] > values[top]) top = row;
+/// The peak of `values` over `at`, by a parabola through the row at `place`, where it is largest, and its neighbours.
+Peak refined_peak(const std::vector<double>& at, const std::vector<double>& values, double place) {
+  const auto top = static_cast<std::size_t>(std::find(at.begin(), at.end(), place) - at.begin());
+  if (top == at.size()) return {nothing, nothing};
   if (top == 0 || top + 1 == values.size()) return {at[top], values[top]};
   const double left = at[top - 1] - at[top], right = at[top + 1] - at[top];
   const double down = (values[top - 1] - values[top]) / left, up = (values[top + 1] - values[top]) / right;
@@ -46,10 +43,10 @@ double first_fall(const std::vector<double>& at, const std::vector<double>& valu
   return nothing;
 }
 
-std::vector<Metric> element_metrics(const Series& series) {
+std::vector<Metric> element_metrics(const Series& series, const RunMeasures& measures) {
   const auto column = [&](const char* name) -> const std::vector<double>& { return series.column(name).values; };
   const auto& strain = column("shear_strain");
-  const Peak peak = peak_of(strain, column("shear_stress"), strain);
+  const Peak peak = refined_peak(strain, column("shear_stress"), measures.peak_to_2.strain);
   const auto& normal = column("normal_stress");
   return {{"peak_shear_stress", peak.value, "Pa", "largest shear stress up to 2 % strain"},
           {"strain_at_peak", peak.place, "1", "shear strain at that stress"},
@@ -89,7 +86,7 @@ std::vector<std::string> quantities_of(Scene scene) {
 
 std::vector<Metric> scene_metrics(const SlideOutcome& outcome) {
   const Scene scene = scene_of(outcome.point);
-  std::vector<Metric> metrics = scene == Scene::element   ? element_metrics(outcome.series)
+  std::vector<Metric> metrics = scene == Scene::element   ? element_metrics(outcome.series, outcome.measures)
                                 : scene == Scene::trigger ? trigger_metrics(outcome.measures)
                                                           : pulse_metrics(outcome);
   metrics.push_back({"duration", outcome.series.last("time"), "s", "end of the record"});

@@ -6,14 +6,6 @@
 #include <iostream>
 
 namespace flowslide {
-namespace {
-
-double mean_of(const Ensemble& ensemble, const std::string& metric) {
-  return statistics_of(values_of(ensemble, metric)).mean;
-}
-
-}  // namespace
-
 std::unique_ptr<Case> make_case() { return std::make_unique<SpeedCase>(); }
 
 SpeedCase::SpeedCase()
@@ -68,10 +60,10 @@ Report SpeedCase::report_on(const Ensembles& runs) const {
     const auto name = clocks_.find(scene);
     const auto clock = name == clocks_.end() ? runs.end() : runs.find(name->second);
     if (clock == runs.end() || values_of(clock->second, "processor_seconds").empty()) continue;
-    const double duration = scene == Scene::element ? planned(clock->first)->test->final_strain / paper_rate_
-                                                    : mean_of(clock->second, "duration");
-    report.paper[scene] = {paper_grains_, duration / paper_time_step_,
-                           mean_of(clock->second, "processor_seconds") / mean_of(clock->second, "grain_steps")};
+    const auto mean = [&](const char* metric) { return statistics_of(clock->second, metric).mean; };
+    const double duration =
+        scene == Scene::element ? planned(clock->first)->test->final_strain / paper_rate_ : mean("duration");
+    report.paper[scene] = {paper_grains_, duration / paper_time_step_, mean("processor_seconds") / mean("grain_steps")};
   }
   return report;
 }
@@ -88,7 +80,7 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
     largest = std::max(largest, row.error_over_spread);
     const Ensemble& reference = runs.at(row.axis->reference);
     if (!values_of(reference, "steps").empty())
-      metrics[axis + "." + row.setting + ".steps_share"] = row.steps / mean_of(reference, "steps");
+      metrics[axis + "." + row.setting + ".steps_share"] = row.steps / statistics_of(reference, "steps").mean;
   }
 }
 

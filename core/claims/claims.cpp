@@ -7,11 +7,19 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include "configuration/configuration.hpp"
 
 namespace flowslide {
 namespace {
+
+const std::vector<std::pair<std::string, Relation>> relations{{"<", Relation::less},
+                                                              {"<=", Relation::at_most},
+                                                              {">", Relation::greater},
+                                                              {">=", Relation::at_least},
+                                                              {"between", Relation::between}};
 
 bool is_name(const std::string& text) {
   const auto allowed = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
@@ -43,11 +51,7 @@ Claim read_claim(const Configuration& configuration, const std::string& prefix) 
   claim.figure = configuration.text(prefix + "figure");
   claim.sentence = configuration.text(prefix + "sentence");
   claim.metric = configuration.text(prefix + "metric");
-  claim.relation = configuration.choice<Relation>(prefix + "relation", {{"<", Relation::less},
-                                                                        {"<=", Relation::at_most},
-                                                                        {">", Relation::greater},
-                                                                        {">=", Relation::at_least},
-                                                                        {"between", Relation::between}});
+  claim.relation = configuration.choice(prefix + "relation", relations);
   read_thresholds(configuration, prefix + "threshold", claim);
   claim.unit = configuration.text(prefix + "unit");
   claim.origin = configuration.text(prefix + "origin");
@@ -92,19 +96,15 @@ Verdict judge(const Claim& claim, const std::map<std::string, double>& metrics) 
 }  // namespace
 
 std::string_view symbol_of(Relation relation) {
-  switch (relation) {
-    case Relation::less:
-      return "<";
-    case Relation::at_most:
-      return "<=";
-    case Relation::greater:
-      return ">";
-    case Relation::at_least:
-      return ">=";
-    case Relation::between:
-      break;
-  }
-  return "between";
+  for (const auto& [symbol, other] : relations)
+    if (other == relation) return symbol;
+  throw std::invalid_argument("a relation without a symbol");
+}
+
+Relation relation_of(std::string_view symbol) {
+  for (const auto& [other, relation] : relations)
+    if (other == symbol) return relation;
+  throw std::invalid_argument(fmt::format("a claim has the relation \"{}\", which is not known", symbol));
 }
 
 std::string Claim::expectation() const {

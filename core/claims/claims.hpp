@@ -18,6 +18,8 @@ enum class Relation { less, at_most, greater, at_least, between };
 
 /// "<", "<=", ">", ">=", "between".
 std::string_view symbol_of(Relation relation);
+/// The relation of a symbol. Throws std::invalid_argument for any other text.
+Relation relation_of(std::string_view symbol);
 
 /// One claim of the paper. In claims.toml: a table [[claim]] with keys of the same names.
 struct Claim {

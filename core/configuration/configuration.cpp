@@ -117,6 +117,14 @@ void Configuration::refuse(std::string_view key, std::string_view problem, std::
   refuse_value(key, entry->whole, problem, mend);
 }
 
+void Configuration::refuse_renamed(std::string_view key, std::string_view now) const {
+  for (const std::vector<Entry>* entries : {&entries_, &unselected_})
+    for (const Entry& entry : *entries)
+      if (entry.key == key)
+        throw ConfigurationError(
+            fmt::format("{}: \"{}\" is called \"{}\" now; rename it", entry.key_place.text(), key, now));
+}
+
 bool Configuration::is_known(const std::string& key) const {
   if (known_.contains(key)) return true;
   const auto covers = [&](const std::string& table) { return table == key || stands_below(key, table); };

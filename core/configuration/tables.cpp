@@ -28,4 +28,21 @@ void Tables::accept(std::initializer_list<const char*> names) const {
     for (const char* name : names) configuration_.accept(table + "." + name);
 }
 
+std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name) {
+  std::vector<std::string> tables{list + "." + name};
+  for (std::string key = tables.front() + ".like"; configuration.has(key); key = tables.back() + ".like") {
+    const std::string next = list + "." + configuration.text(key, configuration.subtables(list));
+    if (std::find(tables.begin(), tables.end(), next) != tables.end())
+      configuration.refuse(key, "leads back to a table that is like this one", "name a table that is like no other");
+    tables.push_back(next);
+  }
+  return tables;
+}
+
+TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others) {
+  for (std::string& table : tables) table += "." + name;
+  tables.insert(tables.end(), others.begin(), others.end());
+  return tables;
+}
+
 }  // namespace flowslide

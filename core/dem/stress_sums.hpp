@@ -15,7 +15,7 @@ struct StressSums {
   Vector3 pair_virial_z = Vector3::Zero();              ///< sum over pairs of l_z f
 };
 
-/// Bagi's stress (eq. 12) on horizontal sections, in the form of `section_stress_from_forces`, and the lateral
+/// Bagi's stress (eq. 12) on horizontal sections, in the form without pairs (see `bagi_stress`), and the lateral
 /// stresses. For a rigid lateral axis the same form applies. Along a periodic axis the branch vectors of the pairs are
 /// needed.
 inline CellStress stress_of(const StressSums& sums, const Cell& cell) {

@@ -113,6 +113,10 @@ std::vector<double> values_of(const Ensemble& ensemble, const std::string& metri
   return values;
 }
 
+Statistics statistics_of(const Ensemble& ensemble, const std::string& metric) {
+  return statistics_of(values_of(ensemble, metric));
+}
+
 double parameter_of(const Ensemble& ensemble, const std::string& name) {
   for (const Result& result : ensemble)
     for (const Metric& parameter : result.parameters)

@@ -13,8 +13,4 @@ InputTable input_table(const std::string& file, const StressTable& table) {
   return {"loading", file, std::move(rows)};
 }
 
-StressTable stress_table(const InputTable& input) {
-  return {input.rows.column("time").values, input.rows.column("stress_change").values};
-}
-
 }  // namespace flowslide

@@ -11,7 +11,4 @@ namespace flowslide {
 /// `file` is its name in the configuration.
 InputTable input_table(const std::string& file, const StressTable& table);
 
-/// The inverse of input_table. Throws std::out_of_range if `input` does not have these columns.
-StressTable stress_table(const InputTable& input);
-
 }  // namespace flowslide

@@ -47,7 +47,7 @@ void thin_out(SlideRecord& record) {
 
 }  // namespace
 
-Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const SlideHooks& hooks) {
+Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const StepObserver& go_on) {
   validate(conditions);
   const SlideState& state = slide.state();
   const auto mark = [&] {
@@ -58,7 +58,6 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
     if (static_cast<std::int64_t>(record.series.rows()) >= record.spacing.most_rows) thin_out(record);
     append_row(record, slide);
     mark();
-    if (hooks.row) hooks.row(slide, record.series);
   };
   if (record.exchanges.taken == 0) record.exchanges.take(slide);
   if (record.series.rows() == 0) take_row();
@@ -71,7 +70,7 @@ Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& reco
     slide.step();
     record.exchanges.take(slide);
     if (state.time >= record.next_time || state.strain.shear >= record.next_strain) take_row();
-    if (hooks.go_on && !hooks.go_on(state)) return Stop::not_yet;
+    if (go_on && !go_on(state)) return Stop::not_yet;
   }
 }
 

@@ -80,18 +80,6 @@ void add_plane_contacts(const Assembly& assembly, const Material& material, cons
   }
 }
 
-Vector3 force_of_boundary_on_mobile(const Assembly& assembly, const ContactForces& forces, Role layer, bool upper) {
-  Vector3 sum = Vector3::Zero();
-  for (const Contact& contact : forces.contacts) {
-    const Role first = assembly.role[contact.first], second = assembly.role[contact.second];
-    if (first == Role::mobile && second == layer) sum += contact.force.on_first;
-    if (first == layer && second == Role::mobile) sum -= contact.force.on_first;
-  }
-  for (const PlaneContact& contact : forces.plane_contacts)
-    if (contact.axis == 2 && contact.upper == upper) sum += contact.force_on_grain;
-  return sum;
-}
-
 }  // namespace
 
 ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& material, double time_step,
@@ -118,14 +106,6 @@ GrainForces sum_on_grains(const ContactForces& forces, std::size_t grain_count) 
   }
   for (const PlaneContact& contact : forces.plane_contacts) sums.force[contact.grain] += contact.force_on_grain;
   return sums;
-}
-
-Vector3 force_of_top_on_mobile(const Assembly& assembly, const ContactForces& forces) {
-  return force_of_boundary_on_mobile(assembly, forces, Role::top_layer, true);
-}
-
-Vector3 force_of_bottom_on_mobile(const Assembly& assembly, const ContactForces& forces) {
-  return force_of_boundary_on_mobile(assembly, forces, Role::bottom_layer, false);
 }
 
 }  // namespace flowslide

@@ -62,10 +62,4 @@ ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& 
 /// Sums of the contact forces and torques on each of `grain_count` grains.
 GrainForces sum_on_grains(const ContactForces& forces, std::size_t grain_count);
 
-/// Force (N) of the top boundary on the mobile grains: of the top layer and, if z is rigid, of the plane behind it.
-Vector3 force_of_top_on_mobile(const Assembly& assembly, const ContactForces& forces);
-
-/// The same for the bottom boundary.
-Vector3 force_of_bottom_on_mobile(const Assembly& assembly, const ContactForces& forces);
-
 }  // namespace flowslide

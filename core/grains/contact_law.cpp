@@ -11,15 +11,15 @@ double square(double x) { return x * x; }
 
 /// gamma = -2 sqrt(5/6) beta sqrt(S m*), kg/s.
 double dashpot(const PairConstants& pair, double stiffness) {
-  return -2.0 * std::sqrt(5.0 / 6.0) * pair.damping * std::sqrt(stiffness * pair.effective_mass);
+  return dashpot_coefficient(pair) * std::sqrt(stiffness * pair.effective_mass);
 }
 
 double normal_stiffness(const PairConstants& pair, double overlap) {
-  return 4.0 / 3.0 * pair.effective_modulus * std::sqrt(pair.effective_radius * overlap);
+  return hertz_coefficient(pair) * std::sqrt(pair.effective_radius * overlap);
 }
 
 double tangential_stiffness(const PairConstants& pair, double overlap) {
-  return 8.0 * pair.effective_shear_modulus * std::sqrt(pair.effective_radius * overlap);
+  return mindlin_coefficient(pair) * std::sqrt(pair.effective_radius * overlap);
 }
 
 struct Capped {

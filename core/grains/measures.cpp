@@ -7,7 +7,6 @@
 #include <string>
 
 #include "grains/pair_constants.hpp"
-#include "grains/contact_search.hpp"
 #include "grains/require.hpp"
 
 namespace flowslide {
@@ -68,31 +67,6 @@ double hertz_impact_overlap(double radius, const Material& material, double impa
   const PairConstants pair = pair_constants(material, radius, radius);
   const double energy = pair.effective_mass * impact_speed * impact_speed;
   return std::pow(15.0 * energy / (16.0 * pair.effective_modulus * std::sqrt(pair.effective_radius)), 0.4);
-}
-
-double hertz_contact_time(double radius, const Material& material, double impact_speed) {
-  const double factor = 2.0 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
-  return factor * hertz_impact_overlap(radius, material, impact_speed) / impact_speed;
-}
-
-double mean_overlap(const Assembly& assembly) {
-  const auto pairs = touching_pairs(assembly);
-  if (pairs.empty()) return 0.0;
-  double sum = 0.0;
-  for (const auto& [i, j] : pairs) {
-    const Vector3 branch = assembly.cell.nearest_image(assembly.position[i] - assembly.position[j]);
-    sum += assembly.radius[i] + assembly.radius[j] - branch.norm();
-  }
-  return sum / static_cast<double>(pairs.size());
-}
-
-double typical_overlap(double pressure, double mean_diameter, const Material& material, double void_ratio,
-                       double coordination_number) {
-  require(coordination_number > 0.0, "coordination number", coordination_number, "> 0", "Use 4.7.");
-  const double force = std::numbers::pi * mean_diameter * mean_diameter * (1.0 + void_ratio) * pressure /
-                       coordination_number;
-  const PairConstants pair = pair_constants(material, 0.5 * mean_diameter, 0.5 * mean_diameter);
-  return std::pow(3.0 * force / (4.0 * pair.effective_modulus * std::sqrt(pair.effective_radius)), 2.0 / 3.0);
 }
 
 }  // namespace flowslide

@@ -30,21 +30,9 @@ double shear_rate_for(double inertial_number, double mean_diameter, double densi
 /// sample/health.hpp.
 double rayleigh_time(double radius, const Material& material);
 
-/// Duration (s) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s, > 0):
-/// t_H = 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) overlap_max / speed, overlap_max = [15 m* v^2 / (16 Y* sqrt(R*))]^(2/5).
-/// Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws std::invalid_argument unless impact_speed > 0.
-double hertz_contact_time(double radius, const Material& material, double impact_speed);
-
-/// Largest overlap (m) of the same impact.
+/// Largest overlap (m) of the undamped head-on impact of two equal spheres at the relative speed `impact_speed` (m/s):
+/// [15 m* v^2 / (16 Y* sqrt(R*))]^(2/5). Source: Hertz; Johnson, Contact Mechanics, ch. 11. Throws
+/// std::invalid_argument unless impact_speed > 0.
 double hertz_impact_overlap(double radius, const Material& material, double impact_speed);
-
-/// Mean overlap (m) of all touching pairs except pairs of one glued layer. 0 without touching pairs.
-double mean_overlap(const Assembly& assembly);
-
-/// Expected overlap (m) at a pressure (Pa): Hertz's law at the mean force of Rumpf's relation f = pi D^2 (1 + e) p / Z,
-///   overlap = [3 f / (4 Y* sqrt(D / 4))]^(2/3).
-/// With Table 1, e = 0.77 and Z = 4.7 it is 1.3e-3 D at 28 kPa. Throws std::invalid_argument for Z <= 0.
-double typical_overlap(double pressure, double mean_diameter, const Material& material, double void_ratio = 0.77,
-                       double coordination_number = 4.7);
 
 }  // namespace flowslide

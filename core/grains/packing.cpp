@@ -44,13 +44,6 @@ void validate(const LatticePacking& options) {
           "Raise the spacing or lower the jitter.");
 }
 
-std::vector<double> draw_diameters(const LatticePacking& options, std::int64_t count) {
-  validate(options);
-  require(count >= 1, "number of diameters", static_cast<double>(count), ">= 1", "Draw at least one.");
-  Generator generator(options.seed);
-  return draw_with(generator, options, count);
-}
-
 Assembly lattice_packing(const LatticePacking& options) {
   validate(options);
   const auto [nx, ny, nz] = options.counts;

@@ -33,18 +33,17 @@ static_assert(lists_every_member<LatticePacking>());
 /// Throws std::invalid_argument if an option is out of the range given at its declaration.
 void validate(const LatticePacking& options);
 
-/// `count` random diameters (m) between D_min and D_max, shape (count), in random order. Each interval of diameter has
-/// an equal solid volume ("a uniform distribution of particle volumes"): the number density is n(D) ~ D^-3, thus
-///   F(D) = (D_min^-2 - D^-2) / (D_min^-2 - D_max^-2),   D(u) = [D_min^-2 - u (D_min^-2 - D_max^-2)]^(-1/2).
-/// This interpretation has the number mean 2 D_min D_max / (D_min + D_max) = 6.00 mm of the paper. A sphere volume that
-/// is uniform between V_min and V_max would give 6.41 mm. The sampling is stratified: one diameter from each of `count`
-/// equal intervals of u, then a random order. The grading therefore hardly differs between seeds, also in small
-/// samples. Throws as `validate`, and std::invalid_argument for count < 1.
-std::vector<double> draw_diameters(const LatticePacking& options, std::int64_t count);
-
 /// nx ny nz mobile spheres at rest in a cell of six rigid planes with its lower corner at the origin; x is the fastest
 /// index. No sphere touches another sphere or a plane: sites are `spacing` D_max apart and half of that from the
-/// planes, and a centre is at most `jitter` D_max from its site along each axis. Throws as `validate`.
+/// planes, and a centre is at most `jitter` D_max from its site along each axis.
+///
+/// Diameters are between D_min and D_max. Each interval of diameter has an equal solid volume ("a uniform distribution
+/// of particle volumes"): the number density is n(D) ~ D^-3, thus
+///   F(D) = (D_min^-2 - D^-2) / (D_min^-2 - D_max^-2),   D(u) = [D_min^-2 - u (D_min^-2 - D_max^-2)]^(-1/2).
+/// This interpretation has the number mean 2 D_min D_max / (D_min + D_max) = 6.00 mm of the paper. A sphere volume that
+/// is uniform between V_min and V_max would give 6.41 mm. The sampling is stratified: one diameter from each of nx ny
+/// nz equal intervals of u, then a random order. The grading therefore hardly differs between seeds, also in small
+/// samples. Throws as `validate`.
 Assembly lattice_packing(const LatticePacking& options = {});
 
 }  // namespace flowslide

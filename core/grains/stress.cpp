@@ -61,14 +61,6 @@ Matrix3 nicot_stress(const Assembly& assembly, const ContactForces& forces, cons
   return bagi_stress(assembly, forces) + nicot_correction(assembly, material);
 }
 
-Vector3 section_stress_from_forces(const Assembly& assembly, const Vector3& top_on_mobile) {
-  Vector3 sum = -assembly.cell.height() * top_on_mobile;
-  for (std::size_t i = 0; i < assembly.size(); ++i)
-    if (assembly.role[i] == Role::mobile)
-      sum += (assembly.position[i].z() - assembly.cell.lower.z()) * assembly.force[i];
-  return sum / assembly.cell.volume();
-}
-
 SlopeStress slope_stress(const Matrix3& stress) { return {stress(2, 2), -stress(2, 0), stress.trace() / 3.0}; }
 
 }  // namespace flowslide

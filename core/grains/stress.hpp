@@ -19,12 +19,14 @@ namespace flowslide {
 /// (2) A glued grain. The plane behind it holds it with minus the sum of its contact forces; x_e is the projection of
 ///     its centre on the plane z = lower or upper.
 ///
-/// With (2), the z row equals `section_stress_from_forces`, in equilibrium and out of it. Proof: measure z from the
-/// bottom, and let f be the force of a glued grain g on a mobile grain p. The pair gives (z_p - z_g) f. The glue holds
-/// g with +f and gives -(z_e - z_g) f. The sum is (z_p - z_e) f: z_p f at the bottom and (z_p - H) f at the top. A
-/// plane gives the same, and pairs of mobile grains give z_1 f_1 + z_2 f_2. The total is sum_p z_p f_p - H F_top.
-/// Assumptions: the two layers do not touch each other, and x and y are periodic (see section_stress_from_forces). If z
-/// is periodic, no grain is glued.
+/// With (2), the z row needs no loop over pairs, in equilibrium and out of it:
+///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
+/// with z measured from the bottom plane, H the height of the cell, f the contact forces on a grain, and F_top the force
+/// of the top boundary, layer and plane, on the mobile grains. Proof: let f be the force of a glued grain g on a mobile
+/// grain p. The pair gives (z_p - z_g) f. The glue holds g with +f and gives -(z_e - z_g) f. The sum is (z_p - z_e) f:
+/// z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, and pairs of mobile grains give
+/// z_1 f_1 + z_2 f_2. Assumptions: the two layers do not touch each other, and x and y are periodic. The planes of a
+/// rigid lateral axis push the grains but carry no stress on horizontal sections. If z is periodic, no grain is glued.
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
 
 /// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,
@@ -40,14 +42,6 @@ Matrix3 nicot_correction(const Assembly& assembly, const Material& material);
 
 /// Nicot's stress, Pa (eq. 13): Bagi's stress plus `nicot_correction`.
 Matrix3 nicot_stress(const Assembly& assembly, const ContactForces& forces, const Material& material);
-
-/// z row (sigma_zx, sigma_zy, sigma_zz), Pa, compression positive, without a loop over pairs:
-///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
-/// with z measured from the bottom plane, H the height of the cell, and f = assembly.force (contact forces without
-/// drag). F_top = `top_on_mobile` is the force (N) of the top boundary, layer and plane, on the mobile grains. sigma_zz
-/// is always exact. sigma_zx and sigma_zy are exact only if the axis x or y is periodic: the planes of a rigid lateral
-/// axis push the grains but carry no stress on horizontal sections.
-Vector3 section_stress_from_forces(const Assembly& assembly, const Vector3& top_on_mobile);
 
 /// Stress in the terms of the slope.
 struct SlopeStress {

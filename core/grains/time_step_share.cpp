@@ -28,9 +28,9 @@ double step_action(double stiffness, double damping, double time_step) {
 
 Spring spring_of(const Material& material, const PairConstants& pair, double overlap, double time_step) {
   const double root = std::sqrt(pair.effective_radius * overlap);
-  const double normal = 2.0 * pair.effective_modulus * root, tangential = 8.0 * pair.effective_shear_modulus * root;
+  const double normal = loading_coefficient(pair) * root, tangential = mindlin_coefficient(pair) * root;
   const auto dashpot = [&](double stiffness) {
-    return -2.0 * std::sqrt(5.0 / 6.0) * pair.damping * std::sqrt(stiffness * pair.effective_mass);
+    return dashpot_coefficient(pair) * std::sqrt(stiffness * pair.effective_mass);
   };
   const double arm = material.rolling_friction * pair.effective_radius;
   const double rolling = material.rolling_stiffness * (2.0 / 3.0 * normal) * arm * arm;

@@ -44,9 +44,9 @@ SampleRecipe read_preparation(const Configuration& configuration, const TableNam
   return recipe;
 }
 
-std::uint64_t seed_offset(const Configuration& configuration, const std::string& key, int replicate) {
-  if (configuration.has(key)) {
-    const auto offsets = configuration.integers(key, Range::between(0, 1e9));
+std::uint64_t seed_offset(const Tables& sample, int replicate) {
+  if (sample.has("seed_offsets")) {
+    const auto offsets = sample.integers("seed_offsets", Range::between(0, 1e9));
     if (static_cast<std::size_t>(replicate) < offsets.size()) return static_cast<std::uint64_t>(offsets[replicate]);
   }
   return static_cast<std::uint64_t>(replicate) * seeds_per_replicate;
@@ -102,22 +102,21 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
                                               int replicate) {
   std::vector<SampleSpecification> samples;
   for (const std::string& name : samples_in_use(configuration)) {
-    const std::string table = "sample." + name + ".";
-    const Tables own(configuration, "sample." + name);
-    const TableNames preparation{table + "preparation", "preparation"};
+    const std::vector<std::string> tables = with_like(configuration, "sample", name);
+    const Tables own(configuration, tables);
+    const TableNames preparation = within(tables, "preparation", {"preparation"});
     SampleSpecification sample{name, read_preparation(configuration, preparation), {}};
-    sample.recipe.packing = read_packing(configuration, {table + "packing", "packing"});
-    sample.recipe.packing.seed += seed_offset(configuration, table + "seed_offsets", replicate);
-    sample.recipe.material = read_material(configuration, {table + "material", "material"});
+    sample.recipe.packing = read_packing(configuration, within(tables, "packing", {"packing"}));
+    sample.recipe.packing.seed += seed_offset(own, replicate);
+    sample.recipe.material = read_material(configuration, within(tables, "material", {"material"}));
     sample.recipe.normal_stress = initial_normal_stress(slope);
-    sample.recipe.shear_stress = configuration.flag(table + "isotropic") ? 0.0 : initial_shear_stress(slope);
-    const std::string periodic = table + "periodic_height";
-    sample.recipe.periodic_height = configuration.has(periodic) && configuration.flag(periodic);
+    sample.recipe.shear_stress = own.flag("isotropic") ? 0.0 : initial_shear_stress(slope);
+    sample.recipe.periodic_height = own.has("periodic_height") && own.flag("periodic_height");
     sample.recipe.preparation_friction = preparation_friction(own, replicate);
     read_field(own, sample.recipe, &SampleRecipe::drag);
-    sample.target.void_ratio = configuration.number(table + "void_ratio", Range::inside(0.55, 1.0));
-    sample.target.tolerance = configuration.number(table + "tolerance", Range::positive());
-    sample.target.most_trials = static_cast<int>(configuration.integer(table + "most_trials", Range::between(1, 100)));
+    sample.target.void_ratio = own.number("void_ratio", Range::inside(0.55, 1.0));
+    sample.target.tolerance = own.number("tolerance", Range::positive());
+    sample.target.most_trials = static_cast<int>(own.integer("most_trials", Range::between(1, 100)));
     sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
     check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
                     sample.recipe.packing.smallest_diameter, sample.recipe.material);

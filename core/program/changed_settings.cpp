@@ -14,14 +14,13 @@ constexpr std::array harmless_names{
     "engine",      "seed",           "replicates",      "seed_offsets",  "found_preparation_frictions",
     "most_trials", "rows",           "most_rows",       "row_interval",  "row_strain",
     "figures",     "picture_strain", "local_time_step", "allow_unstable"};
-constexpr std::array harmless_keys{"preparation.time_step", "shear.time_step"};
 constexpr std::array lists_of_tables{"point", "sample", "scheme", "axis"};
 
 bool is_harmless(std::string_view key) {
   const std::size_t dot = key.rfind('.');
   const std::string_view name = dot == std::string_view::npos ? key : key.substr(dot + 1);
   return std::find(harmless_names.begin(), harmless_names.end(), name) != harmless_names.end() ||
-         std::find(harmless_keys.begin(), harmless_keys.end(), key) != harmless_keys.end();
+         key == "preparation.time_step";
 }
 
 /// Whether a key belongs to a table of these lists that the case does not have, such as [point.mine].

@@ -89,7 +89,7 @@ std::vector<SweepMember> sweep_of(const Ensembles& slides, const std::string& pr
 
 std::vector<double> medians_along(const std::vector<SweepMember>& sweep, const std::string& metric) {
   std::vector<double> medians;
-  for (const SweepMember& member : sweep) medians.push_back(statistics_of(values_of(*member.ensemble, metric)).median);
+  for (const SweepMember& member : sweep) medians.push_back(statistics_of(*member.ensemble, metric).median);
   return medians;
 }
 
@@ -137,7 +137,7 @@ Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::v
              lowest = column_like(sweep, metric, name + "_lowest"),
              highest = column_like(sweep, metric, name + "_highest");
       for (const double parameter : series.axis.values) {
-        const Statistics all = statistics_of(values_of(*member(sweep, parameter)->ensemble, metric));
+        const Statistics all = statistics_of(*member(sweep, parameter)->ensemble, metric);
         median.values.push_back(all.median);
         lowest.values.push_back(all.lowest);
         highest.values.push_back(all.highest);

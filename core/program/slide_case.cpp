@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -15,6 +14,7 @@
 #include "input/read_coupling.hpp"
 #include "input/read_samples.hpp"
 #include "process/ranks.hpp"
+#include "program/named.hpp"
 #include "program/plan.hpp"
 #include "program/replicates.hpp"
 #include "program/slide_progress.hpp"
@@ -66,7 +66,8 @@ struct SlideCase::Records {
   Series series, profiles;
   Stop stop = Stop::not_yet;
   RunMeasures measures = {};
-  Series measured = {};  ///< rows of an element test at fixed strains, for its metrics
+  Series measured = {};  ///< of an element test, in place of the rows that happen to be kept
+  std::vector<Shot> shots = {};  ///< of an element test, for pictures
 };
 
 /// A sample with the engine that it runs on.
@@ -79,6 +80,7 @@ struct SlideCase::Loaded {
 };
 
 SlideCase::SlideCase(CaseDescription description) : description_(std::move(description)) {
+  if (!description_.engines.empty()) return;
   description_.engines = engine_names();
   for (const std::string& name : closed_form_sample_names()) description_.engines.push_back(name);
 }
@@ -112,6 +114,7 @@ void SlideCase::read(const Configuration& configuration) {
       else
         read.point.inputs.preparation_engine = preparation_engine_;
       if (!read.profiles.strains.empty()) read.point.tables.push_back(read.point.name + "_profiles");
+      if (read.test && !picture_strains(read).empty()) read.point.tables.push_back(read.point.name + "_frames");
       for (const Metric& parameter : more_parameters(read)) read.parameters.push_back(parameter);
       if (can_run(read, closed_form_ != nullptr))
         slides_.push_back(std::move(read));
@@ -128,7 +131,7 @@ std::vector<Point> SlideCase::points() const {
 }
 
 const SlidePoint& SlideCase::slide(const std::string& point) const {
-  return *std::find_if(slides_.begin(), slides_.end(), [&](const SlidePoint& s) { return s.point.name == point; });
+  return named(slides_, "point", point, [](const SlidePoint& slide) { return slide.point.name; });
 }
 
 void SlideCase::print_plan(const Point& point, std::ostream& out) const {
@@ -137,8 +140,9 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
   if (!closed_form_) print_sample_plan(out, planned.sample, preparation_engine_);
   print_engine_plan(out, planned.sample.recipe, planned.engine, settings.passing.time_step);
   if (planned.test) {
-    out << fmt::format("# {} steps of {} s\n", planned.test->steps(settings.passing.time_step),
-                       settings.passing.time_step);
+    const double step = settings.passing.time_step;
+    out << fmt::format("# {} steps of {} s, {} rows\n", planned.test->steps(step), step,
+                       planned.test->row_steps(step).size());
     return;
   }
   out << fmt::format("# {:.0f} global steps of {} s, about {:.3g} local steps of {} s\n",
@@ -182,23 +186,28 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
 
 SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
   ShearTestRecord so_far;
+  std::vector<Shot> shots;
+  const std::vector<double> strains_of_shots = picture_strains(running);
   std::int64_t done = 0;
   const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
   if (const auto& found = run.checkpoints.found()) {
     restore(running, [&] { loaded.sample->restore(found->sample); });
     so_far = {found->so_far.series, found->measured};
+    shots = found->shots;
     done = loaded.grains->steps();
   }
   const auto records_of = [](const ShearTestRecord& record, Stop stop) {
     return Records{record.rows, {}, stop, measures_of_rows(record.measured), record.measured};
   };
   const auto checkpoint = [&](Result result, std::int64_t at, const Series& measured) {
-    return Checkpoint{
-        std::move(result), static_cast<double>(at) / static_cast<double>(steps), loaded.sample->state(), {}, {},
-        measured};
+    const double share = static_cast<double>(at) / static_cast<double>(steps);
+    return Checkpoint{std::move(result), share, loaded.sample->state(), {}, shots, measured};
   };
   Progress progress(fmt::format("{} {}", description_.name, running.point.name), steps, run.progress, done);
-  const auto observe = [&](std::int64_t at, const Assembly&, const ShearTestRecord& record) {
+  const auto observe = [&](std::int64_t at, const Assembly& assembly, const ShearTestRecord& record) {
+    const double strain = loaded.grains->shear_strain();
+    if (shots.size() < strains_of_shots.size() && strain >= strains_of_shots[shots.size()])
+      shots.push_back({record.rows.axis.values.back(), strain, assembly});
     progress.update(at, row_text(record.rows));
     run.checkpoints.border([&] {
       return checkpoint(judged(running, loaded, run, records_of(record, Stop::not_yet)), at, record.measured);
@@ -208,6 +217,7 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
   progress.finish();
   Records records = records_of(record, Stop::end_shear_strain);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records), steps, record.measured));
+  records.shots = std::move(shots);
   return records;
 }
 
@@ -244,14 +254,13 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
                                       profiles.series(), record.exchanges},
                       {}};
   };
-  SlideHooks hooks;
-  hooks.go_on = [&](const SlideState& state) {
+  const auto go_on = [&](const SlideState& state) {
     progress.update(state);
     if (loaded.grains) profiles.take(state.strain.shear, *loaded.grains);
     run.checkpoints.border([&] { return checkpoint(judged(running, loaded, run, records_of(Stop::not_yet))); });
     return true;
   };
-  const Stop stop = run_slide(sliding, running.stop, record, hooks);
+  const Stop stop = run_slide(sliding, running.stop, record, go_on);
   progress.finish(sliding.state());
   Records records = records_of(stop);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records)));
@@ -304,7 +313,12 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
   });
   const Records records = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
   Result result = result_of(running, loaded, run, records);
-  const auto write = [&] { on_first_rank([&] { write_point(run.output, result, records.profiles); }); };
+  const auto write = [&] {
+    on_first_rank([&] {
+      if (!records.shots.empty()) write_pictures(run.output, running, records.shots);
+      write_point(run.output, result, records.profiles);
+    });
+  };
   try {
     judge(result, running, loaded, records);
   } catch (...) {

@@ -28,6 +28,7 @@ struct SlideOutcome {
 
 class SlideCase : public Case {
  public:
+  /// Without engines in its description, the case takes all engines and closed-form samples.
   explicit SlideCase(CaseDescription description);
 
   CaseDescription description() const override { return description_; }
@@ -58,6 +59,10 @@ class SlideCase : public Case {
   virtual std::vector<std::string> abscissas() const = 0;
   /// Time between two measurements of the mean stress, s, for metrics of the inertial number (see ExchangeRecord).
   virtual double mean_stress_interval() const { return std::numeric_limits<double>::infinity(); }
+  /// Strains of an element test, rising, at which its whole sample is kept for pictures.
+  virtual std::vector<double> picture_strains(const SlidePoint&) const { return {}; }
+  /// Writes pictures of the sample at these strains; a folder of them is named <point>_frames.
+  virtual void write_pictures(const OutputFolder&, const SlidePoint&, const std::vector<Shot>&) const {}
   /// Parameters of a slide beside those of SlidePoint.
   virtual std::vector<Metric> more_parameters(const SlidePoint&) const { return {}; }
 

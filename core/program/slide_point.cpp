@@ -44,22 +44,7 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-/// The tables in which keys of a point are looked up: its own, then that of the point given by `like`.
-std::vector<std::string> tables_of(const Configuration& configuration, const std::string& name) {
-  std::vector<std::string> tables{"point." + name};
-  const std::string key = tables.front() + ".like";
-  if (configuration.has(key)) tables.push_back("point." + configuration.text(key, configuration.subtables("point")));
-  return tables;
-}
-
-/// Order of lookup: the tables `name` below each of `tables`, then `others`.
-TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others) {
-  for (std::string& table : tables) table += "." + name;
-  tables.insert(tables.end(), others.begin(), others.end());
-  return tables;
-}
-
-/// The engine of a point. `common` is the engine of the case.
+/// The engine of a point; `common` is that of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
   const std::string own = table.text("engine", engine_names());
@@ -110,7 +95,7 @@ void check_together(const Tables& table, const SlidePoint& point) {
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine) {
-  const std::vector<std::string> tables = tables_of(configuration, name);
+  const std::vector<std::string> tables = with_like(configuration, "point", name);
   const Tables table(configuration, tables);
   SlidePoint read;
   read.name = name;

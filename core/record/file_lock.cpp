@@ -48,11 +48,6 @@ bool take(int descriptor, int operation) {
 
 }  // namespace
 
-FileLock::FileLock(const std::filesystem::path& path) : descriptor_(open_lock(path)) {
-  take(descriptor_, LOCK_EX);
-  sign();
-}
-
 std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   FileLock lock(open_lock(path));
   if (!take(lock.descriptor_, LOCK_EX | LOCK_NB)) return std::nullopt;

@@ -11,9 +11,8 @@ namespace flowslide {
 /// locks the lock has no effect.
 class FileLock {
  public:
-  /// Creates the lock file and waits for the lock. Throws FileError if the file can be neither created nor opened.
-  explicit FileLock(const std::filesystem::path& path);
-  /// The lock if no other process holds it; otherwise empty. Throws as the constructor.
+  /// The lock if no other process holds it; otherwise empty. Creates the lock file. Throws FileError if the file can be
+  /// neither created nor opened.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
   /// Whether another process holds the lock now. Creates no file.

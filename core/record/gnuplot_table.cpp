@@ -29,6 +29,30 @@ std::string column_line(std::size_t index, const Column& column) {
                      one_line(column.units), one_line(column.long_name), one_line(column.sign_convention));
 }
 
+std::string names_line(const std::vector<const Column*>& columns) {
+  std::string line;
+  for (const Column* column : columns) {
+    if (!is_valid_name(column->name))
+      throw std::invalid_argument(fmt::format(
+          "'{}' cannot name a column; use letters, digits and '_', a letter first", column->name));
+    line += (line.empty() ? "" : " ") + column->name;
+  }
+  return line + '\n';
+}
+
+std::string head_of(const TableHeader& header, const std::vector<const Column*>& columns) {
+  std::string text = names_line(columns);
+  for (const auto& [key, value] : header) text += fmt::format("# {}: {}\n", one_line(key), one_line(value));
+  for (std::size_t i = 0; i < columns.size(); ++i) text += column_line(i + 1, *columns[i]);
+  return text;
+}
+
+std::vector<const Column*> columns_of(const Series& series) {
+  std::vector<const Column*> columns{&series.axis};
+  for (const Column& column : series.columns) columns.push_back(&column);
+  return columns;
+}
+
 /// Reads a table line by line and counts lines for messages.
 class Reader {
  public:
@@ -44,6 +68,8 @@ class Reader {
     if (!has_axis_) fail("no columns");
     try {
       table_.series.check();
+      if (std::string(names_) + '\n' != names_line(columns_of(table_.series)))
+        fail("the first line does not name the columns; in tables of older versions it is a comment");
     } catch (const std::invalid_argument& error) {
       fail(error.what());
     }
@@ -53,7 +79,8 @@ class Reader {
  private:
   void take(std::string_view line) {
     ++line_;
-    if (line.starts_with("# column ")) take_column(line);
+    if (line_ == 1) names_ = line;
+    else if (line.starts_with("# column ")) take_column(line);
     else if (line.starts_with("# ")) take_header(line.substr(2));
     else take_row(line);
   }
@@ -107,6 +134,7 @@ class Reader {
   std::string_view rest_;
   std::string path_;
   std::size_t line_ = 0;
+  std::string_view names_;
   bool has_axis_ = false;
   Table table_;
 };
@@ -119,12 +147,15 @@ std::string shortest(double value) {
   return {text, result.ptr};
 }
 
+std::string table_head(const std::vector<Column>& columns, const TableHeader& header) {
+  std::vector<const Column*> pointers;
+  for (const Column& column : columns) pointers.push_back(&column);
+  return head_of(header, pointers);
+}
+
 void write_table(const std::filesystem::path& path, const Table& table, IfExists if_exists) {
   table.series.check();
-  std::string text;
-  for (const auto& [key, value] : table.header) text += fmt::format("# {}: {}\n", one_line(key), one_line(value));
-  text += column_line(1, table.series.axis);
-  for (std::size_t i = 0; i < table.series.columns.size(); ++i) text += column_line(i + 2, table.series.columns[i]);
+  std::string text = head_of(table.header, columns_of(table.series));
   for (std::size_t row = 0; row < table.series.rows(); ++row) {
     text += shortest(table.series.axis.values[row]);
     for (const Column& column : table.series.columns) text += ' ' + shortest(column.values[row]);

@@ -8,27 +8,27 @@
 #include "record/assembly_group.hpp"
 
 namespace flowslide {
-namespace {
-
-void check_finite(const Assembly& assembly, const std::string& label) {
-  const auto require = [&](bool good, const char* name) {
-    if (!good) throw CorruptFileError(fmt::format("{}: {}", label, name));
+std::string flaw_of(const Assembly& assembly) {
+  const auto not_finite = [](const char* what, std::size_t grain) {
+    return fmt::format("the {} of grain {} is not finite", what, grain);
   };
   for (std::size_t i = 0; i < assembly.size(); ++i) {
-    require(std::isfinite(assembly.radius[i]) && assembly.radius[i] > 0.0, "a radius that is not positive");
-    for (const auto* array :
-         {&assembly.position, &assembly.velocity, &assembly.spin, &assembly.force, &assembly.torque})
-      require((*array)[i].allFinite(), "a grain that is not finite");
+    if (!std::isfinite(assembly.radius[i]) || assembly.radius[i] <= 0.0)
+      return fmt::format("the radius of grain {} is not positive", i);
+    if (!assembly.position[i].allFinite()) return not_finite("position", i);
+    if (!assembly.velocity[i].allFinite()) return not_finite("velocity", i);
+    if (!assembly.spin[i].allFinite()) return not_finite("spin", i);
+    if (!assembly.force[i].allFinite()) return not_finite("force", i);
+    if (!assembly.torque[i].allFinite()) return not_finite("torque", i);
   }
   for (const ContactHistory& contact : assembly.contacts)
-    require(contact.tangential_spring.allFinite() && contact.rolling_torque.allFinite(),
-            "a contact that is not finite");
-  require(assembly.cell.lower.allFinite() && assembly.cell.upper.allFinite() &&
-              (assembly.cell.lengths().array() > 0.0).all(),
-          "a cell without volume");
+    if (!contact.tangential_spring.allFinite() || !contact.rolling_torque.allFinite())
+      return fmt::format("the contact of the grains {} and {} is not finite", contact.first, contact.second);
+  const Cell& cell = assembly.cell;
+  if (!cell.lower.allFinite() || !cell.upper.allFinite() || (cell.lengths().array() <= 0.0).any())
+    return "the cell has no volume";
+  return "";
 }
-
-}  // namespace
 
 void ReadNumber::operator()(const char* name, double& value) const {
   value = group.number_attribute(name);
@@ -42,7 +42,8 @@ void ReadNumber::operator()(const char* name, std::int64_t& value) const {
 
 Assembly read_finite_assembly(const hdf5::Group& parent, const std::string& name) {
   Assembly assembly = read_assembly(parent, name);
-  check_finite(assembly, parent.label() + "/" + name);
+  if (const std::string flaw = flaw_of(assembly); !flaw.empty())
+    throw CorruptFileError(fmt::format("{}/{}: {}", parent.label(), name, flaw));
   return assembly;
 }
 

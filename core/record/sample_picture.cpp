@@ -105,6 +105,7 @@ std::vector<Ball> visible(const std::vector<Ball>& all) {
   return result;
 }
 
+/// The edges of the cell that are in front of the grains, or behind them: two ends, then an empty line, each.
 std::string edge_rows(const Cell& cell, const View& view, bool in_front) {
   const Matrix3 to_picture = rotation(view);
   auto edges = cell_edges(cell);
@@ -116,7 +117,7 @@ std::string edge_rows(const Cell& cell, const View& view, bool in_front) {
     const bool behind = (edges[i] - farthest).norm() < rounding || (edges[i + 1] - farthest).norm() < rounding;
     if (behind == in_front) continue;
     for (const Vector3& point : {edges[i], edges[i + 1]})
-      text += shortest(point.x()) + ' ' + shortest(point.y()) + '\n';
+      text += fmt::format("{} {} 0 0 {}\n", shortest(point.x()), shortest(point.y()), in_front ? 3 : 4);
     text += '\n';
   }
   return text;
@@ -141,14 +142,18 @@ std::vector<Disc> draw_grains(const Assembly& assembly, const View& view) {
 }
 
 void write_picture(const std::filesystem::path& path, const Assembly& assembly, const View& view) {
+  static_assert(static_cast<int>(Role::top_layer) == 2, "parts 3 and 4 are the edges");
   std::string text =
-      "# index 0: grains, back to front\n# column 1: across (m)\n# column 2: up (m)\n# column 3: radius (m)\n"
-      "# column 4: shade (0 dark to 1 bright)\n# column 5: role (0 mobile, 1 bottom layer, 2 top layer)\n";
+      table_head({{"across", "", "m", "place in the plane of the picture", "positive to the right", {}},
+                  {"up", "", "m", "place in the plane of the picture", "positive upwards", {}},
+                  {"radius", "", "m", "radius of the disc; 0 of an edge", "", {}},
+                  {"shade", "", "1", "0 dark to 1 bright; 0 of an edge", "", {}},
+                  {"part", "", "1",
+                   "0 mobile grain, 1 bottom layer, 2 top layer, 3 edge of the cell in front, 4 edge behind", "", {}}});
   for (const Disc& disc : draw_grains(assembly, view))
     text += fmt::format("{:.6g} {:.6g} {:.6g} {:.3g} {}\n", disc.across, disc.up, disc.radius, disc.shade,
                         static_cast<int>(disc.role));
-  text += "\n\n# index 1: edges of the cell in front\n" + edge_rows(assembly.cell, view, true);
-  text += "\n\n# index 2: edges of the cell behind\n" + edge_rows(assembly.cell, view, false);
+  text += '\n' + edge_rows(assembly.cell, view, true) + edge_rows(assembly.cell, view, false);
   write_atomically(path, text);
 }
 

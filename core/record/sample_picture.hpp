@@ -29,13 +29,10 @@ struct Disc {
 /// is not finite, for a radius <= 0, and for less than one shell.
 std::vector<Disc> draw_grains(const Assembly& assembly, const View& view = {});
 
-/// Writes the picture for gnuplot, whole or not at all, in three blocks:
-///   index 0: one circle per row; columns across, up, radius (m), shade, role:
-///            `plot FILE index 0 using 1:2:3:(COLOUR of 4 and 5) with circles fillcolor rgb variable fill solid`
-///   index 1: edges of the cell in front of the grains, two rows and an empty row each; columns across, up (m):
-///            `plot FILE index 1 using 1:2 with lines`
-///   index 2: edges behind the grains, likewise; plot them first.
-/// Throws as draw_grains and write_atomically.
+/// Writes the picture as a table (see table_head), whole or not at all: a row for each disc, then two for each edge of
+/// the cell, with an empty line behind each edge. Columns: across, up, radius (m), shade, part. `part` is 0 for mobile
+/// grains, 1 and 2 for glued grains at the bottom and at the top, 3 for edges in front of the grains, and 4 for edges
+/// behind the grains. Plot the edges behind first and those in front last. Throws as draw_grains and write_atomically.
 void write_picture(const std::filesystem::path& path, const Assembly& assembly, const View& view = {});
 
 }  // namespace flowslide

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "record/assembly_group.hpp"
 #include "record/hdf5.hpp"
+#include "record/read_finite.hpp"
 #include "record/sealed_file.hpp"
 #include "record/series_group.hpp"
 
@@ -23,24 +23,6 @@ constexpr std::string_view failure_mark = "failed: ";
 bool is_there(const std::filesystem::path& path) {
   std::error_code failure;  // after an error the file counts as present; reading it then reports the reason
   return std::filesystem::exists(path, failure) || failure;
-}
-
-void check_finite(const Assembly& assembly) {
-  const auto require = [](bool finite, const char* name, std::size_t index) {
-    if (!finite) throw std::invalid_argument(fmt::format("a sample whose {} of entry {} is not finite", name, index));
-  };
-  for (std::size_t i = 0; i < assembly.size(); ++i) {
-    require(std::isfinite(assembly.radius[i]), "radius", i);
-    require(assembly.position[i].allFinite(), "position", i);
-    require(assembly.velocity[i].allFinite(), "velocity", i);
-    require(assembly.spin[i].allFinite(), "spin", i);
-    require(assembly.force[i].allFinite(), "force", i);
-    require(assembly.torque[i].allFinite(), "torque", i);
-  }
-  for (std::size_t i = 0; i < assembly.contacts.size(); ++i) {
-    require(assembly.contacts[i].tangential_spring.allFinite(), "contact spring", i);
-    require(assembly.contacts[i].rolling_torque.allFinite(), "contact torque", i);
-  }
 }
 
 }  // namespace
@@ -88,7 +70,8 @@ void SampleStore::put(const std::string& key, const StoredSample& sample) const 
   root.set_attribute("key", key);
   root.write_text("recipe", sample.recipe);
   write_assembly(root, "assembly", sample.assembly);
-  check_finite(sample.assembly);
+  if (const std::string flaw = flaw_of(sample.assembly); !flaw.empty())
+    throw std::invalid_argument("a sample cannot be kept: " + flaw);
   write_metrics(root, "metrics", sample.metrics);
   make_folder();
   write_sealed(file_path, file.image(), IfExists::replace);
@@ -117,11 +100,6 @@ void SampleStore::put_failure(const std::string& key, const FailedSample& failur
 
 std::filesystem::path SampleStore::lock_path(const std::string& key) const {
   return path(key).replace_extension(".lock");
-}
-
-FileLock SampleStore::lock(const std::string& key) const {
-  make_folder();
-  return FileLock(lock_path(key));
 }
 
 std::optional<FileLock> SampleStore::try_lock(const std::string& key) const {

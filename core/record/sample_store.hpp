@@ -39,17 +39,15 @@ class SampleStore {
   /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file; the
   /// message says which file to delete.
   std::optional<StoredSample> find(const std::string& key) const;
-  /// Writes `sample`, whole or not at all, and replaces an older one. Throws std::invalid_argument if a value is not
-  /// finite, and FileError if the file cannot be written.
+  /// Writes `sample`, whole or not at all, and replaces an older one. Throws std::invalid_argument for an assembly with a
+  /// flaw (see flaw_of) or a metric that is not finite, and FileError if the file cannot be written.
   void put(const std::string& key, const StoredSample& sample) const;
   /// The failure of a preparation; empty if none is recorded. Throws as find().
   std::optional<FailedSample> find_failure(const std::string& key) const;
   /// Writes a failure, whole or not at all. Throws FileError if the file cannot be written.
   void put_failure(const std::string& key, const FailedSample& failure) const;
-  /// Waits until no other process holds the lock of `key`. Reading needs no lock, because a sample appears only when it
-  /// is complete. Throws FileError if the folder cannot be made or written.
-  FileLock lock(const std::string& key) const;
-  /// The lock, or empty if another process holds it. Throws as lock().
+  /// The lock of `key`, or empty if another process holds it. Reading needs no lock, because a sample appears only when
+  /// it is complete. Throws FileError if the folder cannot be made or written.
   std::optional<FileLock> try_lock(const std::string& key) const;
   /// The holder of the lock of `key`, see FileLock::holder.
   std::string holder(const std::string& key) const;

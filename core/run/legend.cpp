@@ -5,6 +5,6 @@
 
 namespace flowslide {
 
-void Legend::write(const OutputFolder& output) const { write_atomically(output.file("legend.dat"), text_); }
+void Legend::write(const OutputFolder& output) const { write_atomically(output.file("legend.txt"), text_); }
 
 }  // namespace flowslide

@@ -6,13 +6,14 @@
 
 namespace flowslide {
 
-/// Labels of the curves of a figure, for plots/style.gp: the table legend.dat with a line "point<TAB>label" per curve.
+/// Labels of the curves of a figure, for plots/style.gp: the file legend.txt with a line "point<TAB>label" per curve. It
+/// is no table (see table_head), because a label may contain blanks.
 class Legend {
  public:
   /// `label` may contain gnuplot's markup.
   void add(const std::string& point, const std::string& label) { text_ += point + "\t" + label + "\n"; }
 
-  /// Writes legend.dat. Without labels it has only its header, and each curve has the name of its run.
+  /// Writes legend.txt. Without labels it has only its head, and each curve has the name of its run.
   void write(const OutputFolder& output) const;
 
  private:

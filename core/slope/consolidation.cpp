@@ -40,6 +40,4 @@ double consolidation_time_step_limit(const SlopeProperties& slope, double oedome
   return coefficient > 0.0 ? 2.0 / (oedometric_modulus * coefficient) : std::numeric_limits<double>::infinity();
 }
 
-double excess_pore_pressure(double basal, double zeta) { return basal * zeta * (2.0 - zeta); }
-
 }  // namespace flowslide

@@ -45,8 +45,4 @@ class Consolidation {
 /// k = 0. Throws std::invalid_argument.
 double consolidation_time_step_limit(const SlopeProperties& slope, double oedometric_modulus);
 
-/// Excess pore pressure within the layer: p_w(z') = p_b [2 zeta - zeta^2] (eq. 6), with zeta = z'/(h_s cos theta) from
-/// 0 at the top of the layer to 1 at its base. `basal` is p_b; the result has its unit.
-double excess_pore_pressure(double basal, double zeta);
-
 }  // namespace flowslide

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "grains/require.hpp"
 
 namespace flowslide {
 
@@ -12,8 +11,7 @@ namespace flowslide {
 /// range and the remedy.
 inline void require_of_slope(bool allowed, const std::string& name, double value, const std::string& range,
                              const std::string& remedy) {
-  if (allowed) return;
-  throw std::invalid_argument(fmt::format("slope: {} is {}; allowed: {}. {}", name, value, range, remedy));
+  require(allowed, "slope: " + name, value, range, remedy);
 }
 
 /// The same for a value that must be finite and > 0.

@@ -176,5 +176,14 @@ TEST(ConfigurationChanges, AreTheValuesThatTheCaseHasOtherwise) {
   EXPECT_FALSE(configuration.is_published("d"));
 }
 
+TEST(Configuration, RefusesARenamedKeyWithItsNewName) {
+  const ScratchFolder scratch;
+  const auto file = scratch.write("case.toml", "a.b = 1\n[scale.big]\na.old = 2\n[scale.small]\n");
+  const Configuration configuration({.case_file = file, .scale = "small", .user_file = {}, .overrides = {}});
+  EXPECT_NO_THROW(configuration.refuse_renamed("a.other", "a.b"));
+  EXPECT_EQ(message_of<ConfigurationError>([&] { configuration.refuse_renamed("a.old", "a.b"); }),
+            file.string() + ":3:3: \"a.old\" is called \"a.b\" now; rename it");
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -73,5 +73,28 @@ TEST(Tables, AcceptKeysInEach) {
   EXPECT_NO_THROW(configuration.reject_unknown());
 }
 
+TEST(Tables, StandBeforeThoseThatTheyAreLike) {
+  const auto configuration = Configuration::from_text(R"([sample]
+a = { n = 1 }
+b = { like = 'a' }
+c = { like = 'd' }
+e = { like = 'f' }
+f = { like = 'b' }
+g = { like = 'h' }
+h = { like = 'g' }
+)");
+  EXPECT_EQ(with_like(configuration, "sample", "e"),
+            (std::vector<std::string>{"sample.e", "sample.f", "sample.b", "sample.a"}));
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "g"); }),
+                  "sample.h.like = \"g\" leads back to a table that is like this one");
+  EXPECT_EQ(with_like(configuration, "sample", "a"), std::vector<std::string>{"sample.a"});
+  const std::vector<std::string> tables = with_like(configuration, "sample", "b");
+  EXPECT_EQ(tables, (std::vector<std::string>{"sample.b", "sample.a"}));
+  EXPECT_EQ(within(tables, "packing", {"packing"}).names(),
+            (std::vector<std::string>{"sample.b.packing", "sample.a.packing", "packing"}));
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "c"); }),
+                  "sample.c.like = \"d\" is not allowed");
+}
+
 }  // namespace
 }  // namespace flowslide

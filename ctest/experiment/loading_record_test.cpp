@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/stress_table.hpp"
+
 namespace flowslide {
 namespace {
 

@@ -127,7 +127,7 @@ TEST(ExchangeRecord, GoesOnBitForBit) {
   record.exchanges = ExchangeRecord(record.grains, 5e-4);
   for (int stops = 0; stops < 5; ++stops) {
     int steps = 0;
-    run_slide(slide, {0.6}, record, {{}, [&](const SlideState&) { return ++steps < 777; }});
+    run_slide(slide, {0.6}, record, [&](const SlideState&) { return ++steps < 777; });
     ExchangeRecord fresh(record.grains, 5e-4);
     fresh.restore(record.exchanges);
     record.exchanges = fresh;

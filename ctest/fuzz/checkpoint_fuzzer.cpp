@@ -6,13 +6,13 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
 #include "record/checkpoint_store.hpp"
+#include "require.hpp"
 #include "run/checkpoint.hpp"
 
 namespace {
@@ -121,10 +121,6 @@ void spoil(hdf5::Group& root, Input& input) {
     } catch (const FileError&) {
     }
   }
-}
-
-void require(bool good) {
-  if (!good) std::abort();
 }
 
 /// What a run relies on.

@@ -10,6 +10,7 @@
 
 #include "grains/contact_search.hpp"
 #include "random_assembly.hpp"
+#include "section_stress.hpp"
 
 namespace flowslide {
 namespace {
@@ -159,7 +160,8 @@ TEST(ForcesOfTheBoundaries, BalanceTheMobileGrains) {
       on_mobile += sums.force[i];
       size += sums.force[i].norm();
     }
-  const Vector3 bottom = force_of_bottom_on_mobile(cloud, forces), top = force_of_top_on_mobile(cloud, forces);
+  const Vector3 bottom = testing::force_on_mobile(cloud, forces, Role::bottom_layer);
+  const Vector3 top = testing::force_on_mobile(cloud, forces, Role::top_layer);
   EXPECT_GT(bottom.z(), 0.0);
   EXPECT_LT(top.z(), 0.0);
   // Forces among mobile grains cancel, what remains comes from the two boundaries; rounding of the sum.

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "grains/measures.hpp"
+#include "hertz_contact_time.hpp"
 #include "random_assembly.hpp"
 
 namespace flowslide {
@@ -315,7 +315,7 @@ TEST(Impact, WithoutDampingFollowsHertz) {
   const double radius = 3e-3, speed = 0.05;
   const PairConstants pair = pair_constants(material, radius, radius);
   const auto normal = [&](double overlap, double velocity) { return normal_force(pair, overlap, velocity); };
-  const double duration = hertz_contact_time(radius, material, speed);
+  const double duration = testing::hertz_contact_time(radius, material, speed);
   const Impact impact = collide(normal, pair.effective_mass, speed, duration / 20000);
   // Second order: (1/20000)^2 and the like; 1e-4 leaves room for the corner of the force at first touch.
   EXPECT_NEAR(impact.duration, duration, 1e-4 * duration);
@@ -333,7 +333,7 @@ TEST(Impact, OfTwoSpheresReturnsTheCoefficientOfRestitutionAtAnyVelocity) {
       material.restitution = restitution;
       const PairConstants pair = pair_constants(material, 2.5e-3, 3.75e-3);
       const auto normal = [&](double overlap, double velocity) { return normal_force(pair, overlap, velocity); };
-      const double time_step = hertz_contact_time(3e-3, material, speed) / 20000;
+      const double time_step = testing::hertz_contact_time(3e-3, material, speed) / 20000;
       EXPECT_NEAR(collide(normal, pair.effective_mass, speed, time_step).restitution, restitution, 1e-3);
     }
 }
@@ -344,7 +344,7 @@ TEST(Impact, OnAPlaneReturnsTheCoefficientOfRestitution) {
   const auto normal = [&](double overlap, double velocity) {
     return plane_normal_force(material, radius, mass, overlap, -velocity);
   };
-  const double time_step = hertz_contact_time(radius, material, speed) / 20000;
+  const double time_step = testing::hertz_contact_time(radius, material, speed) / 20000;
   EXPECT_NEAR(collide(normal, mass, speed, time_step).restitution, 0.8, 1e-3);
 }
 

@@ -19,16 +19,23 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-TEST(DrawDiameters, NumberMeanIsThatOfThePaper) {
-  const auto diameters = draw_diameters({}, count);
+/// In the order of the grains, m.
+std::vector<double> diameters_of(LatticePacking options = {}) {
+  std::vector<double> diameters;
+  for (const double radius : lattice_packing(options).radius) diameters.push_back(2.0 * radius);
+  return diameters;
+}
+
+TEST(Diameters, NumberMeanIsThatOfThePaper) {
+  const auto diameters = diameters_of();
   ASSERT_EQ(diameters.size(), 8800u);
   // 2 D_min D_max / (D_min + D_max) = 2 * 5 * 7.5 / 12.5 mm. Of a monotone function, one sample in each of n equal
   // intervals of u has a mean within (largest - smallest) / n of the integral.
   EXPECT_NEAR(mean(diameters), 6.0e-3, 2.5e-3 / count);
 }
 
-TEST(DrawDiameters, EqualIntervalsOfDiameterHoldEqualSolidVolume) {
-  const auto diameters = draw_diameters({}, count);
+TEST(Diameters, EqualIntervalsOfDiameterHoldEqualSolidVolume) {
+  const auto diameters = diameters_of();
   std::vector<double> volume(5, 0.0);
   for (const double d : diameters) {
     const double interval = std::floor((d - 5.0e-3) / 0.5e-3);
@@ -41,26 +48,28 @@ TEST(DrawDiameters, EqualIntervalsOfDiameterHoldEqualSolidVolume) {
   for (const double part : volume) EXPECT_NEAR(part, total / 5.0, 2.0 * std::pow(7.5e-3, 3) * 1.2);
 }
 
-TEST(DrawDiameters, OrderIsShuffled) {
-  const auto diameters = draw_diameters({}, count);
+TEST(Diameters, OrderIsShuffled) {
+  const auto diameters = diameters_of();
   const std::vector<double> half(diameters.begin(), diameters.begin() + count / 2);
   // The standard deviation of D is 0.70 mm; the mean of half of the grains scatters by 0.70 / sqrt(8800) = 0.0075 mm.
   EXPECT_NEAR(mean(half), 6.0e-3, 5 * 0.0075e-3);
   EXPECT_FALSE(std::is_sorted(diameters.begin(), diameters.end()));
 }
 
-TEST(DrawDiameters, SameSeedSameDrawOtherSeedOtherDraw) {
+TEST(Diameters, SameSeedSameDrawOtherSeedOtherDraw) {
   LatticePacking options;
-  const auto first = draw_diameters(options, 100);
-  EXPECT_EQ(draw_diameters(options, 100), first);
+  options.counts = {4, 5, 5};
+  const auto first = diameters_of(options);
+  EXPECT_EQ(diameters_of(options), first);
   options.seed = 2;
-  EXPECT_NE(draw_diameters(options, 100), first);
+  EXPECT_NE(diameters_of(options), first);
 }
 
-TEST(DrawDiameters, OneSize) {
+TEST(Diameters, OneSize) {
   LatticePacking options;
   options.smallest_diameter = options.largest_diameter = 6e-3;
-  for (const double d : draw_diameters(options, 10)) EXPECT_DOUBLE_EQ(d, 6e-3);
+  options.counts = {3, 3, 3};
+  for (const double d : diameters_of(options)) EXPECT_DOUBLE_EQ(d, 6e-3);
 }
 
 TEST(LatticePacking, DefaultIsThatOfThePaper) {
@@ -111,14 +120,6 @@ TEST(LatticePacking, JitterMovesEveryCentreWithinItsBound) {
   EXPECT_GT(largest, 0.9 * 0.04 * 7.5e-3);          // 180 draws miss the outer tenth with a chance of 0.9^180 = 6e-9
 }
 
-TEST(LatticePacking, GradingIsThatOfDrawDiameters) {
-  LatticePacking options;
-  options.counts = {3, 3, 3};
-  const Assembly assembly = lattice_packing(options);
-  const auto diameters = draw_diameters(options, 27);
-  for (std::size_t i = 0; i < 27; ++i) EXPECT_EQ(assembly.radius[i], 0.5 * diameters[i]);
-}
-
 TEST(LatticePacking, RefusesOptionsOutOfRange) {
   const auto refused = [](const std::function<void(LatticePacking&)>& change, const std::string& name) {
     LatticePacking options;
@@ -137,7 +138,6 @@ TEST(LatticePacking, RefusesOptionsOutOfRange) {
   refused([](LatticePacking& o) { o.largest_diameter = 4e-3; }, "largest_diameter");
   refused([](LatticePacking& o) { o.jitter = -0.01; }, "jitter");
   refused([](LatticePacking& o) { o.spacing = 1.08; }, "spacing");
-  EXPECT_THROW(draw_diameters({}, 0), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,11 +8,14 @@
 
 #include "grains/contact_search.hpp"
 #include "random_assembly.hpp"
+#include "section_stress.hpp"
 
 namespace flowslide {
 namespace {
 
+using testing::force_on_mobile;
 using testing::random_cloud;
+using testing::section_stress;
 using testing::uniform_vector;
 
 const Vector3 zero = Vector3::Zero();
@@ -78,8 +81,8 @@ TEST(BagiStress, OfAGrainPressedBetweenThePlanes) {
   set_forces(grain, forces);
   // Force over area, 12 / 6, whatever the height.
   expect_near(bagi_stress(grain, forces), Vector3(0, 0, 2.0).asDiagonal(), 1e-14);
-  EXPECT_EQ(force_of_top_on_mobile(grain, forces), Vector3(0, 0, -12.0));
-  EXPECT_NEAR(section_stress_from_forces(grain, force_of_top_on_mobile(grain, forces)).z(), 2.0, 1e-14);
+  EXPECT_EQ(force_on_mobile(grain, forces, Role::top_layer), Vector3(0, 0, -12.0));
+  EXPECT_NEAR(section_stress(grain, force_on_mobile(grain, forces, Role::top_layer)).z(), 2.0, 1e-14);
 }
 
 TEST(BagiStress, OfAGrainThrownUpByTheBottom) {
@@ -89,7 +92,7 @@ TEST(BagiStress, OfAGrainThrownUpByTheBottom) {
   set_forces(grain, forces);
   // The plane acts over 0.9 of 4 m: 12 / 6 * 0.9 / 4.
   expect_near(bagi_stress(grain, forces), Vector3(0, 0, 0.45).asDiagonal(), 1e-15);
-  EXPECT_NEAR(section_stress_from_forces(grain, zero).z(), 0.45, 1e-15);
+  EXPECT_NEAR(section_stress(grain, zero).z(), 0.45, 1e-15);
 }
 
 TEST(BagiStress, OfABalancedChainBetweenTheLayersIsForceOverArea) {
@@ -138,7 +141,7 @@ TEST(BagiStress, SectionRowEqualsTheFormWithoutPairs) {
     const ContactForces forces = evaluate_contact_forces(cloud, Material{}, 5e-7);
     set_forces(cloud, forces);  // far from equilibrium
     const Matrix3 bagi = bagi_stress(cloud, forces);
-    const Vector3 section = section_stress_from_forces(cloud, force_of_top_on_mobile(cloud, forces));
+    const Vector3 section = section_stress(cloud, force_on_mobile(cloud, forces, Role::top_layer));
     EXPECT_LE((bagi.row(2).transpose() - section).norm(), 1e-12 * bagi.norm()) << "seed " << seed;  // rounding
   }
 }
@@ -149,7 +152,7 @@ TEST(BagiStress, BesidePlanesOfXSectionsAgreeInAllButTheZxComponent) {
   set_forces(cloud, forces);
   EXPECT_GT(forces.plane_contacts.size(), 20u);
   const Matrix3 bagi = bagi_stress(cloud, forces);
-  const Vector3 section = section_stress_from_forces(cloud, force_of_top_on_mobile(cloud, forces));
+  const Vector3 section = section_stress(cloud, force_on_mobile(cloud, forces, Role::top_layer));
   EXPECT_NEAR(bagi(2, 2), section.z(), 1e-12 * bagi.norm());  // rounding
   EXPECT_NEAR(bagi(2, 1), section.y(), 1e-12 * bagi.norm());  // y is periodic
   // The planes of x add sum z f_x to the force on the grains but nothing to Bagi's zx.

@@ -8,6 +8,7 @@
 #include "grains/measures.hpp"
 #include "input/read_samples.hpp"
 #include "support/messages.hpp"
+#include "support/stress_table.hpp"
 
 namespace flowslide {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -138,6 +139,23 @@ material.youngs_modulus = "8 GPa")"));
   EXPECT_CONTAINS(
       complaint("preparation_friction = 0.3", "preparation_friction = 0.3\npreparation.time_step = \"1 ms\""),
       "sample.isotropic.preparation.time_step = \"1 ms\" is too long");
+}
+
+TEST(ReadSamples, TakeMissingKeysFromTheSampleThatOneIsLike) {
+  const auto samples = samples_of(with("[sample.isotropic]", R"([sample.small]
+like = "isotropic"
+packing.lattice = [3, 3, 3]
+tolerance = 0.02
+
+[sample.isotropic]
+preparation.time_step = "5e-6 s")"));
+  const auto& small = *std::find_if(samples.begin(), samples.end(), [](const auto& s) { return s.name == "small"; });
+  EXPECT_EQ(small.recipe.packing.counts, (std::array{3, 3, 3}));
+  EXPECT_EQ(small.target.tolerance, 0.02);
+  EXPECT_EQ(small.target.void_ratio, 0.77);
+  EXPECT_EQ(small.recipe.preparation_friction, 0.3);
+  EXPECT_EQ(small.recipe.time_step, 5e-6);
+  EXPECT_EQ(small.recipe.shear_stress, 0.0);
 }
 
 TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {

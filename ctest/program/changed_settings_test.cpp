@@ -15,7 +15,7 @@ class ChangedSettings : public testing::Test {
     Layers layers{.case_file = scratch_.write("case.toml", R"(engine = "native"
 seed = 1
 replicates = 3
-shear.time_step = "1e-5 s"
+coupling.local_time_step = "1e-5 s"
 [loading]
 amplitude = "3 kPa"
 [rows]
@@ -38,7 +38,7 @@ loading.amplitude = "2 kPa"
     for (const char* key : {"seed", "replicates"}) configuration.integer(key);
     configuration.quantity("loading.amplitude", dimension::stress);
     configuration.quantity("rows.row_interval", dimension::time);
-    configuration.quantity("shear.time_step", dimension::time);
+    configuration.quantity("coupling.local_time_step", dimension::time);
     configuration.numbers("profiles.strains");
     for (const std::string& name : configuration.subtables("point")) {
       configuration.text("point." + name + ".scheme");
@@ -65,7 +65,7 @@ TEST_F(ChangedSettings, DoNotCountHowARunIsComputed) {
                      {"seed", "7"},
                      {"replicates", "1"},
                      {"rows.row_interval", "1 s"},
-                     {"shear.time_step", "5e-7 s"}}),
+                     {"coupling.local_time_step", "5e-7 s"}}),
             Texts{});
 }
 

@@ -8,6 +8,7 @@
 #include "input/read_samples.hpp"
 #include "program/slide_program.hpp"
 #include "record/gnuplot_table.hpp"
+#include "support/stress_table.hpp"
 
 namespace flowslide {
 namespace {
@@ -173,7 +174,7 @@ rows = 10
 [scale.quick]
 )");
   ASSERT_EQ(run({"--engine", "native", "--point", "alone", "--dry-run"}), 0) << error_;
-  EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s\n");
+  EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s, 10 rows\n");
   ASSERT_EQ(run({"--list"}), 0) << error_;  // on a closed-form sample there is none
   EXPECT_EQ(text_.find("alone"), std::string::npos);
 }

@@ -23,7 +23,7 @@ namespace {
 TEST(FileLock, IsHeldByOneAtATime) {
   const TemporaryFolder folder;
   {
-    const FileLock held(folder / "lock");
+    const auto held = FileLock::try_lock(folder / "lock");
     EXPECT_FALSE(FileLock::try_lock(folder / "lock"));
     EXPECT_TRUE(FileLock::try_lock(folder / "other"));
   }
@@ -32,21 +32,22 @@ TEST(FileLock, IsHeldByOneAtATime) {
 
 TEST(FileLock, StaysHeldWhenMoved) {
   const TemporaryFolder folder;
-  FileLock first(folder / "lock");
-  auto second = std::make_unique<FileLock>(std::move(first));
+  auto first = FileLock::try_lock(folder / "lock");
+  ASSERT_TRUE(first);
+  auto second = std::make_unique<FileLock>(std::move(*first));
   EXPECT_FALSE(FileLock::try_lock(folder / "lock"));
   second.reset();
   EXPECT_TRUE(FileLock::try_lock(folder / "lock"));
 }
 
-TEST(FileLock, WaitsForAnotherProcessAndOutlivesItsDeath) {
+TEST(FileLock, IsFreeOnceTheProcessThatHeldItHasEnded) {
   const TemporaryFolder folder;
   int ready[2];
   ASSERT_EQ(::pipe(ready), 0);
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    const FileLock held(folder / "lock");
+    const auto held = FileLock::try_lock(folder / "lock");
     const auto told = ::write(ready[1], "x", 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     ::_exit(told == 1 ? 0 : 1);  // without giving the lock back
@@ -54,17 +55,17 @@ TEST(FileLock, WaitsForAnotherProcessAndOutlivesItsDeath) {
   char byte = 0;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
   EXPECT_FALSE(FileLock::try_lock(folder / "lock"));
-  const FileLock waited(folder / "lock");
   int status = -1;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
+  EXPECT_TRUE(FileLock::try_lock(folder / "lock"));
   ::close(ready[0]);
   ::close(ready[1]);
 }
 
 TEST(FileLock, RefusesAFolderThatIsNotThere) {
   const TemporaryFolder folder;
-  EXPECT_THROW(FileLock lock(folder / "none" / "lock"), FileError);
+  EXPECT_THROW(FileLock::try_lock(folder / "none" / "lock"), FileError);
   std::filesystem::create_directory(folder / "lock");  // nor can a folder be locked
   EXPECT_THROW(FileLock::try_lock(folder / "lock"), FileError);
 }
@@ -73,7 +74,7 @@ TEST(FileLock, TellsWhichProcessHoldsIt) {
   const TemporaryFolder folder;
   std::array<char, 256> machine{};
   ASSERT_EQ(::gethostname(machine.data(), machine.size() - 1), 0);
-  const FileLock held(folder / "lock");
+  const auto held = FileLock::try_lock(folder / "lock");
   EXPECT_EQ(FileLock::holder(folder / "lock"), "process " + std::to_string(::getpid()) + " on " + machine.data());
   {
     const auto again = FileLock::try_lock(folder / "lock");  // does not sign what it does not get
@@ -87,7 +88,7 @@ TEST(FileLock, DoesNotNameAHolderThatItDoesNotKnow) {
   EXPECT_EQ(FileLock::holder(folder / "none"), "another process");
   const pid_t gone = ::fork();
   if (gone == 0) {
-    const FileLock held(folder / "lock");
+    const auto held = FileLock::try_lock(folder / "lock");
     ::_exit(0);
   }
   ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
@@ -103,13 +104,13 @@ TEST(FileLock, DoesNotNameAHolderThatItDoesNotKnow) {
 TEST(FileLock, HoldsWhatAnotherUserHasLeft) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can be two users";
   const TemporaryFolder folder;
-  { const FileLock left(folder / "lock"); }
+  EXPECT_TRUE(FileLock::try_lock(folder / "lock"));  // given up at once
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::permissions(folder / "lock", std::filesystem::perms(0644));
   ASSERT_EQ(::seteuid(65534), 0);
   std::optional<FileLock> held;
   EXPECT_NO_THROW(held = FileLock::try_lock(folder / "lock"));
-  EXPECT_THROW(FileLock lock(folder / "new"), FileError);
+  EXPECT_THROW(FileLock::try_lock(folder / "new"), FileError);
   ASSERT_EQ(::seteuid(0), 0);
   ASSERT_TRUE(held);
   EXPECT_TRUE(FileLock::is_held(folder / "lock"));

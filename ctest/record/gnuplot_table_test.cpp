@@ -28,7 +28,8 @@ TEST(GnuplotTable, SaysWhereItComesFrom) {
   const auto result = example_result();
   write_table(folder / "run.dat", table_of(result));
   const auto text = read_file(folder / "run.dat");
-  EXPECT_TRUE(text.starts_with("# case: fig03_undrained\n# point: e0=0.790\n")) << text.substr(0, 200);
+  EXPECT_TRUE(text.starts_with("time shear_stress normal_stress inertial_number\n# case: fig03_undrained\n# point: e0=0.790\n"))
+      << text.substr(0, 200);
   EXPECT_NE(text.find("# configuration: abc123\n"), std::string::npos);
   EXPECT_NE(text.find("# revision: " + result.provenance.git_revision), std::string::npos);
   EXPECT_NE(text.find("# column 1: time | t | s | time | \n"), std::string::npos);
@@ -45,6 +46,13 @@ TEST(GnuplotTable, KeepsHeadersOnOneLine) {
   const auto read = read_table(folder / "run.dat");
   EXPECT_EQ(read.header.front().second, "two lines");
   EXPECT_EQ(read.series.columns[0].long_name, "a b c");
+}
+
+TEST(GnuplotTable, NamesColumnsOfTextToo) {
+  EXPECT_EQ(table_head({{"slide", "", "text", "its name", "", {}}, {"time", "t", "s", "time", "", {}}}, {{"case", "a"}}),
+            "slide time\n# case: a\n# column 1: slide |  | text | its name | \n# column 2: time | t | s | time | \n");
+  for (const char* name : {"", "two words", "1st", "v,x"})
+    EXPECT_THROW(table_head({{name, "", "1", "", "", {}}}), std::invalid_argument) << name;
 }
 
 TEST(GnuplotTable, WritesTheFewestDigits) {
@@ -65,7 +73,8 @@ TEST(GnuplotTable, RefusesNumbersThatAreNone) {
 
 TEST(GnuplotTable, NamesTheLineOfADamage) {
   const TemporaryFolder folder;
-  const std::string good = "# case: a\n# column 1: time | t | s | time | \n# column 2: x | x | m | x | \n0 1\n";
+  const std::string head = "# case: a\n# column 1: time | t | s | time | \n# column 2: x | x | m | x | \n0 1\n";
+  const std::string good = "time x\n" + head;
   overwrite(folder / "run.dat", good);
   EXPECT_EQ(read_table(folder / "run.dat").series.column("x").values, std::vector{1.0});
   for (const char* bad : {"1\n", "1 2 3\n", "1 x\n", "1 nan\n", "1 2", "\n", "1 2x\n", "#\n"}) {
@@ -77,8 +86,10 @@ TEST(GnuplotTable, NamesTheLineOfADamage) {
       EXPECT_NE(std::string(error.what()).find("run.dat:"), std::string::npos) << error.what();
     }
   }
-  overwrite(folder / "run.dat", "");
-  EXPECT_THROW(read_table(folder / "run.dat"), CorruptFileError);
+  for (const std::string& bad : {head, "time y\n" + head, "time\n" + head, "\n" + head, std::string()}) {
+    overwrite(folder / "run.dat", bad);
+    EXPECT_THROW(read_table(folder / "run.dat"), CorruptFileError) << bad;
+  }
   EXPECT_THROW(read_table(folder / "none.dat"), FileError);
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "example.hpp"
 #include "record/assembly_group.hpp"
@@ -68,6 +69,16 @@ TEST(ReadFinite, RefusesGrainsContactsAndCellsThatAreNotFinite) {
     EXPECT_THROW(with([&](hdf5::Group& root) { write_assembly(root, "grains", grains); }, grains_back),
                  CorruptFileError);
   }
+}
+
+TEST(FlawOf, SaysWhatIsWrongAndWhere) {
+  Assembly grains = example_assembly();
+  EXPECT_EQ(flaw_of(grains), "");
+  grains.contacts.at(0).rolling_torque.y() = nan;
+  EXPECT_EQ(flaw_of(grains), "the contact of the grains " + std::to_string(grains.contacts[0].first) + " and " +
+                                 std::to_string(grains.contacts[0].second) + " is not finite");
+  grains.spin[1].x() = infinity;
+  EXPECT_EQ(flaw_of(grains), "the spin of grain 1 is not finite");
 }
 
 }  // namespace

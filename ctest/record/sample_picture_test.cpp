@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -76,21 +77,27 @@ TEST(SamplePicture, FoldsGrainsIntoTheShearedCell) {
   EXPECT_NEAR(draw_grains(grains_at({{0.1, 0.2, 0.5}}), view)[0].across, 1.1, 1e-15);
 }
 
-TEST(SamplePicture, WritesThreeBlocksForGnuplot) {
+TEST(SamplePicture, WritesOneTableOfDiscsAndEdges) {
   const TemporaryFolder folder;
-  write_picture(folder / "picture.dat", grains_at({{0.3, 0.2, 0.6}, {0.7, 0.2, 0.6}}), {-65.0, 20.0, 0.0, 3});
+  auto assembly = grains_at({{0.3, 0.2, 0.6}, {0.7, 0.2, 0.6}});
+  assembly.role = {Role::mobile, Role::top_layer};
+  write_picture(folder / "picture.dat", assembly, {-65.0, 20.0, 0.0, 3});
   std::istringstream lines(read_file(folder / "picture.dat"));
-  std::vector<int> rows{0};
-  int blank = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    if (!line.empty()) {
-      if (blank >= 2) rows.push_back(0);
-      ++rows.back();
-    }
-    blank = line.empty() ? blank + 1 : 0;
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "across up radius shade part");
+  std::map<int, int> rows;
+  while (std::getline(lines, line)) {
+    if (line.empty() || line.starts_with('#')) continue;
+    std::istringstream numbers(line);
+    double across = 0.0, up = 0.0, radius = 0.0, shade = 0.0;
+    int part = -1;
+    EXPECT_TRUE(numbers >> across >> up >> radius >> shade >> part) << line;
+    EXPECT_EQ(radius > 0.0, part < 3) << line;
+    ++rows[part];
   }
-  EXPECT_EQ(rows, (std::vector{6, 18, 6}));  // grains x shells; 9 edges in front, 3 behind, two ends each
+  // Shells of each grain; 9 edges in front and 3 behind, two ends each.
+  EXPECT_EQ(rows, (std::map<int, int>{{0, 3}, {2, 3}, {3, 18}, {4, 6}}));
 }
 
 TEST(SamplePicture, RefusesGrainsWithoutAPlace) {

@@ -40,11 +40,16 @@ TEST(SampleStore, GivesBackEveryBit) {
   EXPECT_FALSE(store.find("abc124"));
 }
 
-/// The sample, prepared by `prepare` and kept if there is none, as two processes do that need the same one.
+/// The sample, prepared by `prepare` and kept if there is none, as two processes do that need the same one. Waits for
+/// the lock.
 StoredSample find_or_prepare(const SampleStore& store, const std::string& key,
                              const std::function<StoredSample()>& prepare) {
   if (auto sample = store.find(key)) return *std::move(sample);
-  const auto held = store.lock(key);
+  auto held = store.try_lock(key);
+  while (!held) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    held = store.try_lock(key);
+  }
   // Another process may have prepared it while this one waited.
   if (auto sample = store.find(key)) return *std::move(sample);
   auto sample = prepare();
@@ -116,7 +121,7 @@ TEST(SampleStore, IsReadWithoutBeingWritten) {
   EXPECT_FALSE(none.find("key1"));
   EXPECT_FALSE(none.find_failure("key1"));
   EXPECT_EQ(folder.entries(), 0u);  // not even the folder is made
-  const FileLock held = none.lock("key1");
+  const auto held = none.try_lock("key1");
   EXPECT_TRUE(std::filesystem::exists(folder / "none"));
   EXPECT_NE(none.holder("key1").find("process " + std::to_string(::getpid()) + " on "), std::string::npos);
 }

@@ -44,7 +44,7 @@ seen() {
 
 failures=0
 expect() { [[ $2 == "$3" ]] || { echo "$1: '$2', expected '$3'"; failures=$((failures + 1)); }; }
-claims=$(grep -c '"id"' "$folder/claims.json")
+claims=$(jq length "$folder/claims.json")
 expect 'the page' "$(seen "$room/page.html")" "$figures $figures $claims 0"
 expect 'its console' "$(cat "$room/console")" ''
 sed -e '0,/data:image\/png;base64,/s//data:image\/png;base64,AAAA/' -e 's|<main>|&<script>console.error("spoilt")</script>|' \

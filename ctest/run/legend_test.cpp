@@ -10,7 +10,7 @@ std::string written(const Legend& legend) {
   const ScratchFolder scratch;
   const auto folder = OutputFolder::open(scratch.path() / "out", "fig12");
   legend.write(folder);
-  return content_of(folder.file("legend.dat"));
+  return content_of(folder.file("legend.txt"));
 }
 
 TEST(Legend, HasALineForEachCurve) {

@@ -5,6 +5,7 @@
 #include "record/damage.hpp"
 #include "record/hash.hpp"
 #include "support/messages.hpp"
+#include "support/stress_table.hpp"
 
 namespace flowslide {
 namespace {

@@ -116,12 +116,5 @@ TEST(Consolidation, RefusesWhatIsNoStepOrModulus) {
   EXPECT_THROW(consolidation_coefficient(draining(-1e-5)), std::invalid_argument);
 }
 
-TEST(ExcessPorePressure, IsAParabolaThatIsFlatAtTheBase) {
-  EXPECT_EQ(excess_pore_pressure(8.0, 0.0), 0.0);  // drained at the top of the layer
-  EXPECT_EQ(excess_pore_pressure(8.0, 0.5), 6.0);
-  EXPECT_EQ(excess_pore_pressure(8.0, 1.0), 8.0);
-  EXPECT_NEAR(excess_pore_pressure(8.0, 1.0 - 1e-6), 8.0, 8.1e-12);  // of second order about the base
-}
-
 }  // namespace
 }  // namespace flowslide

@@ -27,6 +27,7 @@ declare -A below=(
 declare -A reason=(
   ['coupling grains/measures.hpp']='the rate of an inertial number is a formula of the grains'
   ['coupling grains/require.hpp']='a check of a number, no physics'
+  ['slope grains/require.hpp']='a check of a number, no physics'
   ['experiment grains/*']='rows, profiles and inertial numbers of a run are formulas of the grains'
 )
 

@@ -11,10 +11,12 @@ mkdir -p "$(dirname "$program")" "$room/bin"
 cp -r "$source_dir"/{reproduce,scripts,plots,packages.txt} "$tree"
 grep -E '^#|fig03_undrained' "$source_dir/plots/figures.txt" >"$tree/plots/figures.txt"   # the one case that it has
 
-# Set-up has nothing to do: cmake and gnuplot succeed (gnuplot notes what it was asked for), and all packages are there.
+# Set-up has nothing to do: cmake and gnuplot succeed (gnuplot notes what it was asked for, and says GNUPLOT_SAYS), and all
+# packages are there.
 for command in cmake gnuplot; do
   printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "$command" "$room" >"$room/bin/$command"
 done
+echo 'printf %s "${GNUPLOT_SAYS-}" >&2' >>"$room/bin/gnuplot"
 printf '#!/bin/sh\necho installed\n' >"$room/bin/dpkg-query"
 # The case: two points of figure 3, one of figure 4. FAIL_POINT and CHECK_CODE choose how it ends.
 cat >"$program" <<'CASE'
@@ -94,6 +96,8 @@ expect_file paper/run 'a b c '
 expect 0 "figure:  $tree/results/fig03_undrained/quick-seed7/fig04.pdf" fig04 --seed 7
 expect_file quick-seed7/run 'c '
 expect 0 "results: $room/here/c.h5" fig04 --output "$room/here"
+GNUPLOT_SAYS='warning: no column with header "velocity"' expect 2 'fig04: a table lacks a column' fig04
+GNUPLOT_SAYS='warning: something else' expect 0 'warning: something else' fig04
 CHECK_CODE=4 expect 4 'figure: .*fig03.png' fig03 --output "$room/claims"
 FAIL_POINT=b expect 3 'does not hold its stress' fig03 --output "$room/failed"
 grep -q 'failed/fig03' "$room/calls" && { echo 'a figure was drawn from a failed run'; failures=$((failures + 1)); }

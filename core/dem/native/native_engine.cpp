@@ -205,16 +205,16 @@ template <typename Real>
 void NativeEngine<Real>::prepare_law() {
   const Material& m = settings_.material;
   const PairConstants pair = pair_constants(m, 1.0, 1.0);  // moduli and damping do not depend on the radii
-  const double dashpot = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping;
-  const double hertz = 4.0 / 3.0 * pair.effective_modulus;
+  const double hertz = hertz_coefficient(pair), mindlin = mindlin_coefficient(pair);
+  const double dashpot = dashpot_coefficient(pair);
   const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
   const auto in_law = [](double x) { return static_cast<Real>(x); };
   law_is_new_ = true;
   grains_.time_step = settings_.time_step;
   grains_.law = {.normal_stiffness = in_law(hertz),
-                 .normal_damping = in_law(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
-                 .tangential_stiffness = in_law(8.0 * pair.effective_shear_modulus),
-                 .tangential_damping = in_law(dashpot * std::sqrt(8.0 * pair.effective_shear_modulus)),
+                 .normal_damping = in_law(dashpot * std::sqrt(loading_coefficient(pair))),
+                 .tangential_stiffness = in_law(mindlin),
+                 .tangential_damping = in_law(dashpot * std::sqrt(mindlin)),
                  .sliding_friction = in_law(m.sliding_friction),
                  .rolling_friction = in_law(m.rolling_friction),
                  .rolling_stiffness = in_law(rolling),

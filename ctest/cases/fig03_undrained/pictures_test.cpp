@@ -26,9 +26,9 @@ class PicturesTest : public testing::Test {
 
 TEST_F(PicturesTest, ShowTheSampleBeforeAndAtTheStrainWithFramesBetween) {
   const OutputFolder output = OutputFolder::open(folder_, "fig03_undrained");
-  Pictures pictures(0.25);
-  for (int row = 0; row <= 50; ++row) pictures.take(0.1 * row, 0.01 * row, touching_lattice(4, 5));
-  pictures.write(output, "curve");
+  std::vector<Shot> shots;
+  for (const double strain : frame_strains(0.25)) shots.push_back({10.0 * strain, strain, touching_lattice(4, 5)});
+  write_frames(output, "curve", shots);
   EXPECT_TRUE(fs::exists(folder_ / "fig02_before.dat"));
   EXPECT_TRUE(fs::exists(folder_ / "fig02_during.dat"));
   for (const char* table : {"slices_x", "slices_y", "slices_z", "distances", "contacts"})
@@ -40,16 +40,11 @@ TEST_F(PicturesTest, ShowTheSampleBeforeAndAtTheStrainWithFramesBetween) {
     EXPECT_NE(collection.find("curve_frames/grains_" + std::to_string(frame) + ".vtp"), std::string::npos);
   }
   EXPECT_FALSE(fs::exists(folder_ / "curve_frames" / "grains_6.vtp"));
-  EXPECT_NE(collection.find("timestep=\"2.5\""), std::string::npos) << collection;  // 25 % strain is row 25
+  EXPECT_NE(collection.find("timestep=\"2.5\""), std::string::npos) << collection;  // the time of the last shot
 }
 
-TEST_F(PicturesTest, NoStrainMeansNoFiles) {
-  const OutputFolder output = OutputFolder::open(folder_, "fig03_undrained");
-  Pictures pictures(std::nullopt);
-  pictures.take(0.0, 0.0, touching_lattice(4, 5));
-  pictures.write(output, "curve");
-  EXPECT_FALSE(fs::exists(folder_ / "fig02_before.dat"));
-  EXPECT_FALSE(fs::exists(folder_ / "curve.pvd"));
+TEST(FrameStrains, RiseEvenlyFromZero) {
+  EXPECT_EQ(frame_strains(0.25), (std::vector{0.0, 0.25 / 5.0, 0.5 / 5.0, 0.75 / 5.0, 1.0 / 5.0, 0.25}));
 }
 
 }  // namespace

@@ -51,9 +51,11 @@ TEST_F(ReportTest, GivesGnuplotAndHdf5WhatTheTableHas) {
     content << file.rdbuf();
     return content.str();
   };
-  EXPECT_CONTAINS(text("errors_pulse.dat"), "\"base\"\t\"dt_L\"\t10\t100000000\t0.05");
-  EXPECT_CONTAINS(text("pulse_front.dat"), "\"coarse\"\t5\t1.5\n\"base\"\t10\t0.05");
-  EXPECT_CONTAINS(text("paper.dat"), "pulse\t2000\n");
+  EXPECT_CONTAINS(text("errors_pulse.dat"), "\nbase dt_L 10 100000000 0.05");
+  EXPECT_CONTAINS(text("pulse_front.dat"), "\ncoarse 5 1.5\nbase 10 0.05");
+  EXPECT_CONTAINS(text("paper.dat"), "\npulse 2000\n");
+  for (const char* name : {"errors_pulse.dat", "errors_element.dat"})
+    EXPECT_TRUE(text(name).starts_with("label axis seconds grain_steps error_over_spread below_noise\n# ")) << name;
   EXPECT_EQ(text("table.md"), markdown(report()));
 
   const auto file = hdf5::File::open(read_sealed(folder.path() / "table.h5", ""), "table.h5");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "runout_metrics.hpp"
+#include "after_pulse.hpp"
 
 #include <limits>
 
@@ -12,7 +12,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-std::vector<Metric> runout_metrics(const SlideOutcome& outcome) {
+std::vector<Metric> after_pulse(const SlideOutcome& outcome) {
   const SlideSettings& settings = outcome.point.settings;
   const Series& over_time = outcome.measures.over_time;
   const auto* pulse = std::get_if<SinePulse>(&settings.loading);
@@ -24,11 +24,7 @@ std::vector<Metric> runout_metrics(const SlideOutcome& outcome) {
   const auto mean_after = [&](const char* column) {
     return pulse != nullptr ? mean_over(over_time, column, after, end) : nothing;
   };
-  return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
-          {"largest_velocity", largest_velocity(over_time), "m/s", "largest sliding velocity, as a mean over 0.1 s"},
-          {"velocity_after_pulse", first, "m/s", "sliding velocity when the pulse ends"},
-          {"final_velocity", last, "m/s", "sliding velocity at the end, as a mean over 0.1 s"},
-          {"final_displacement", outcome.series.last("displacement"), "m", "sliding distance at the end"},
+  return {{"final_velocity", last, "m/s", "sliding velocity at the end, as a mean over 0.1 s"},
           {"acceleration_share", share, "1", "mean acceleration after the pulse over tau_d/m"},
           {"liquefied_shear_stress", mean_after("shear_stress"), "Pa", "mean shear stress after the pulse"},
           {"liquefied_normal_stress", mean_after("normal_stress"), "Pa", "mean normal stress after the pulse"}};
