@@ -15,7 +15,7 @@ namespace {
 
 std::string picture_key(const std::string& point) { return "point." + point + ".picture_strain"; }
 
-/// The keys that this case had before it had those of the other cases.
+/// Refuses the names that some keys had before this case used the keys of the other cases.
 void refuse_old_keys(const Configuration& configuration) {
   configuration.refuse_renamed("shear.time_step", "coupling.local_time_step");
   configuration.refuse_renamed("shear.final_strain", "point.<name>.final_strain");

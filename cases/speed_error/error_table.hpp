@@ -37,10 +37,10 @@ struct SettingError {
   const Axis* axis = nullptr;
   std::string setting;
   std::vector<QuantityError> errors;
-  double error_over_spread = 0.0;  ///< the largest ratio; infinity if a quantity is missing
-  std::string worst;               ///< the quantity that has it
-  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 without grains
-  double seconds = 0.0;            ///< processor time, mean
+  double error_over_spread = 0.0;  ///< largest error/spread of all quantities; infinity if a quantity is missing
+  std::string worst;               ///< the quantity with this ratio
+  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 for a closed-form sample
+  double seconds = 0.0;            ///< mean processor time, s
   bool below_noise() const { return error_over_spread <= 1.0; }
 };
 

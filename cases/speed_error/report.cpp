@@ -102,7 +102,7 @@ std::string paper_text(const Report& report, Scene scene) {
                      paper->steps, 1e9 * paper->seconds_per_grain_step, paper->seconds() / 3600.0);
 }
 
-/// The text as one word of a table: with '_' for each blank.
+/// The text as one word of a table: '_' replaces each blank.
 std::string word_of(std::string text) {
   std::ranges::replace(text, ' ', '_');
   return text;

@@ -30,9 +30,13 @@ std::string label_of(const std::string& setting, Scene scene);
 /// One table for each scene in Markdown, sorted by cost, and the recommendations below the tables.
 std::string markdown(const Report& report);
 
-/// Writes table.md, for each scene errors_<scene>.dat (label, axis, seconds, grain steps, error over spread, whether that
-/// is below the noise: 1 or 0; rows without an error are left out) and <scene>_front.dat, paper.dat (scene, seconds with
-/// LIGGGHTS at the paper's settings), and table.h5 with all of it, sealed as results are. Text has '_' for each blank.
+/// Writes the report. In the .dat files '_' replaces each blank of a text.
+///   table.md             see markdown
+///   errors_<scene>.dat   label, axis, seconds, grain steps, error/spread, and 1 if this ratio is at most 1, else 0;
+///                        rows without an error are left out
+///   <scene>_front.dat    the candidates on the front
+///   paper.dat            scene, seconds with LIGGGHTS at the settings of the paper
+///   table.h5             all of these, sealed as results are
 void write_report(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace flowslide

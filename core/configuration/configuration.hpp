@@ -93,13 +93,14 @@ class Configuration {
   /// line, column, key and the value as written, then `problem` and `mend` (the remedy; clauses without a full stop).
   [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
 
-  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has `key`: its name is `now` since.
-  /// The message gives file, line, column and both names.
+  /// Throws ConfigurationError if any layer has the old name `key`, whose present name is `now`. This includes the
+  /// tables [scale.<name>] that were not chosen. The message gives file, line, column and both names.
   void refuse_renamed(std::string_view key, std::string_view now) const;
 
-  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has a key that no getter asked for:
-  /// file, line and column of each, with the nearest known key; or when --config or --set gives a value that all
-  /// readers took from elsewhere. Call it once all is read.
+  /// Throws ConfigurationError if a layer other than the base has a key that no getter asked for. This includes the
+  /// tables [scale.<name>] that were not chosen. Throws too if --config or an option gives a value that has no effect
+  /// because every reader used a nearer key. The message gives file, line and column of each key, and for an unknown
+  /// key the nearest known one. Call it after all values are read.
   void reject_unknown() const;
 
   /// Whether the case file or its base has the key at the chosen scale.

@@ -71,12 +71,12 @@ class Tables {
   TableNames tables_;
 };
 
-/// The tables where the keys of [<list>.<name>] stand: its own, then [<list>.<other>] if it says like = "<other>", and
-/// so on. Throws ConfigurationError when a table of that name is missing, or when the tables are like each other in a
-/// circle.
+/// The tables in which keys of [<list>.<name>] are looked up: the table itself; with `like = "other"`, then
+/// [<list>.other]; and so on for its own `like`. Throws ConfigurationError if a table does not exist, or if the chain
+/// of `like` returns to one of its tables.
 std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name);
 
-/// The tables `name` within each of `tables`, then `others`.
+/// Order of lookup: the tables `name` below each of `tables`, then `others`.
 TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others);
 
 }  // namespace flowslide

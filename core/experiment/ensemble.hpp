@@ -35,11 +35,11 @@ double metric_of(const Result& result, const std::string& metric);
 /// The values of a metric in all replicates that have it.
 std::vector<double> values_of(const Ensemble& ensemble, const std::string& metric);
 
-/// Of a metric in those replicates that have it.
+/// The statistics of a metric over all replicates that have it.
 Statistics statistics_of(const Ensemble& ensemble, const std::string& metric);
 
-/// A parameter of the runs, such as hydraulic_conductivity (see slide_point.hpp), which all replicates share. NaN if
-/// they have none of that name.
+/// A parameter that all replicates share, such as hydraulic_conductivity (see slide_parameters.hpp). NaN if they have
+/// no parameter of this name.
 double parameter_of(const Ensemble& ensemble, const std::string& name);
 
 /// Two results of the same replicate, to be compared.

@@ -31,13 +31,14 @@ struct SlideRecord {
   ExchangeRecord exchanges{};        ///< data for metrics, independent of the rows kept
 };
 
-/// Called after each global step, for progress, profiles and signals. false ends the run.
+/// Called after each global step, for progress, profiles and signals. Returns false to end the run. It must be cheap.
 using StepObserver = std::function<bool(const SlideState&)>;
 
-/// Steps a slide until a condition is met, and records it. Returns that condition, or Stop::not_yet if `go_on` ended
-/// the run; only then there is no last row. The mean stress of a row is that of the sample's bulk (see Sample::mean_stress), and
-/// its inertial numbers are built on it: of the rate applied, and of the rate of the slope, which in RI differ.
-/// Throws NumericalFailure.
+/// Steps a slide until one of the conditions is met, and records it. Returns this condition. Returns Stop::not_yet if
+/// `go_on` ended the run; then the present state gets no row. The mean stress of a row is that of the bulk of the
+/// sample (see Sample::mean_stress). A row has two inertial numbers with this mean stress: of the strain rate applied
+/// to the sample, and of the strain rate of the slope. In RI they differ. Throws NumericalFailure, and
+/// std::invalid_argument if the conditions are not valid.
 Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const StepObserver& go_on = {});
 
 }  // namespace flowslide

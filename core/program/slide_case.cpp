@@ -66,8 +66,8 @@ struct SlideCase::Records {
   Series series, profiles;
   Stop stop = Stop::not_yet;
   RunMeasures measures = {};
-  Series measured = {};  ///< of an element test, in place of the rows that happen to be kept
-  std::vector<Shot> shots = {};  ///< of an element test, for pictures
+  Series measured = {};  ///< rows of an element test at fixed strains, for its metrics
+  std::vector<Shot> shots = {};  ///< states of the sample of an element test, for pictures
 };
 
 /// A sample with the engine that it runs on.

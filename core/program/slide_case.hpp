@@ -28,7 +28,7 @@ struct SlideOutcome {
 
 class SlideCase : public Case {
  public:
-  /// Without engines in its description, the case takes all engines and closed-form samples.
+  /// If `description` names no engines, the case accepts all engines and all closed-form samples.
   explicit SlideCase(CaseDescription description);
 
   CaseDescription description() const override { return description_; }
@@ -59,9 +59,9 @@ class SlideCase : public Case {
   virtual std::vector<std::string> abscissas() const = 0;
   /// Time between two measurements of the mean stress, s, for metrics of the inertial number (see ExchangeRecord).
   virtual double mean_stress_interval() const { return std::numeric_limits<double>::infinity(); }
-  /// Strains of an element test, rising, at which its whole sample is kept for pictures.
+  /// Increasing strains of an element test at which the whole sample is stored for pictures.
   virtual std::vector<double> picture_strains(const SlidePoint&) const { return {}; }
-  /// Writes pictures of the sample at these strains; a folder of them is named <point>_frames.
+  /// Writes pictures of the sample at these strains. A folder of pictures must have the name <point>_frames.
   virtual void write_pictures(const OutputFolder&, const SlidePoint&, const std::vector<Shot>&) const {}
   /// Parameters of a slide beside those of SlidePoint.
   virtual std::vector<Metric> more_parameters(const SlidePoint&) const { return {}; }

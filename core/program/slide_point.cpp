@@ -44,7 +44,7 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-/// The engine of a point; `common` is that of the case.
+/// The engine of a point. `common` is the engine of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
   const std::string own = table.text("engine", engine_names());
