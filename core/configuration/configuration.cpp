@@ -172,7 +172,7 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
                      !meant.empty()
                          ? fmt::format("did you mean \"{}\"?", meant)
-                         : did_you_mean(entry.key, candidates, "none is like it; --dry-run prints those there are"));
+                         : did_you_mean(entry.key, candidates, "no known name is similar; --dry-run prints all keys"));
 }
 
 /// Whether the user gives a value that no reader uses. The user would wrongly expect an effect. Unused values of the
@@ -194,8 +194,8 @@ void Configuration::reject_unknown() const {
   for (const Entry& entry : entries_)
     if (!is_known(entry.key)) check(entry);
     else if (is_in_vain(entry))
-      messages.push_back(fmt::format("{}: \"{}\" has no effect, as all that would read it have a nearer key, such as "
-                                     "\"{}\"; give that instead", entry.key_place.text(), entry.key,
+      messages.push_back(fmt::format("{}: \"{}\" has no effect: every run that could use it has a nearer key, such as "
+                                     "\"{}\"; set that key instead", entry.key_place.text(), entry.key,
                                      overridden_.at(entry.key)));
   tables.clear();
   for (const Entry& entry : unselected_)

@@ -132,8 +132,7 @@ class Flattener {
 
 [[noreturn]] void refuse_nesting(const std::string& place) {
   throw ConfigurationError(
-      fmt::format("{}: is nested too deeply: a key has at most {} parts, and at most as many "
-                  "brackets may stand within each other",
+      fmt::format("{0}: is nested too deeply: a key may have {1} parts at most, and {1} brackets at most may be nested",
                   place, most_nesting));
 }
 
@@ -203,7 +202,7 @@ std::vector<Entry> read_option(const std::string& key, const std::string& value,
   } catch (const ConfigurationError&) {
     if (begins_as_toml(value))
       throw ConfigurationError(
-          fmt::format("{}: the value is no TOML: close every quote and bracket, and quote each text "
+          fmt::format("{}: the value is not TOML: close every quote and bracket, and quote each text "
                       "of a list, such as [\"0.2 1/s\", \"0.1 1/s\"]",
                       option));
     values.clear();

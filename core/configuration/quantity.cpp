@@ -132,7 +132,7 @@ class UnitReader {
     bool operand_due = false;
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
       if (rest_.front() == '*' || rest_.front() == '/') {
-        if (operand_due) fail(text_, "has two signs in its unit where a unit should stand between them");
+        if (operand_due) fail(text_, "has two signs in its unit without a symbol between them");
         divide = rest_.front() == '/';
         operand_due = true;
         rest_.remove_prefix(1);
@@ -141,7 +141,7 @@ class UnitReader {
       read_factor(quantity, divide);
       divide = operand_due = false;
     }
-    if (operand_due) fail(text_, "ends where a unit should follow");
+    if (operand_due) fail(text_, "ends with \"*\" or \"/\"; a unit must follow");
     quantity.value = quantity.value * numerator_ / denominator_;
   }
 
@@ -162,7 +162,7 @@ class UnitReader {
     }
     std::size_t length = 0;
     while (length < rest_.size() && is_symbol(rest_[length])) ++length;
-    if (length == 0) fail(text_, fmt::format("has \"{}\" where a unit should stand, such as in \"3 kPa\"", rest_));
+    if (length == 0) fail(text_, fmt::format("has \"{}\" in place of a unit; write, for example, \"3 kPa\"", rest_));
     const Unit& unit = unit_named(rest_.substr(0, length), text_);
     rest_.remove_prefix(length);
     const int exponent = divide ? -read_exponent() : read_exponent();
@@ -182,7 +182,7 @@ class UnitReader {
     int exponent = 0;
     const auto [end, error] = std::from_chars(rest_.data() + 1, rest_.data() + rest_.size(), exponent);
     if (error != std::errc{} || exponent == 0 || std::abs(exponent) > 9)
-      fail(text_, "needs an integer from -9 to 9, but not 0, after \"^\", such as in \"2650 kg/m^3\"");
+      fail(text_, "needs an integer from -9 to 9, except 0, after \"^\"; write, for example, \"2650 kg/m^3\"");
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return exponent;
   }
@@ -227,7 +227,7 @@ Quantity parse_quantity(std::string_view text) {
   Quantity quantity;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), quantity.value);
   if (error == std::errc::result_out_of_range) fail(text, "is too large or too small for a number");
-  if (error != std::errc{}) fail(text, "does not begin with a number, as \"3 kPa\" does");
+  if (error != std::errc{}) fail(text, "does not begin with a number; write, for example, \"3 kPa\"");
   if (!std::isfinite(quantity.value)) fail(text, "is not a finite number");
   UnitReader(text, number.substr(static_cast<std::size_t>(end - number.data()))).read(quantity);
   if (!std::isfinite(quantity.value)) fail(text, "is too large for a number in SI units");

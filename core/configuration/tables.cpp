@@ -33,7 +33,7 @@ std::vector<std::string> with_like(const Configuration& configuration, const std
   for (std::string key = tables.front() + ".like"; configuration.has(key); key = tables.back() + ".like") {
     const std::string next = list + "." + configuration.text(key, configuration.subtables(list));
     if (std::find(tables.begin(), tables.end(), next) != tables.end())
-      configuration.refuse(key, "leads back to a table that is like this one", "name a table that is like no other");
+      configuration.refuse(key, "closes a loop of tables, each like the next", "name a table without `like`");
     tables.push_back(next);
   }
   return tables;
