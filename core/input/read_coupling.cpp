@@ -56,13 +56,13 @@ void check_portions(const Tables& table, const SlideSettings& settings, double s
                            std::holds_alternative<ConstantInertialNumber>(settings.rate);
   if (!at_own_rate && duration > swing_limit)
     table.refuse("n_accum",
-                 fmt::format("holds the stress for {:.3g} s, in which the slope swings on unanswered: at most {:.3g} s, "
-                             "2/omega", duration, swing_limit), "choose a smaller one");
+                 fmt::format("holds the stress for {:.3g} s while the slope oscillates: at most {:.3g} s, 2/omega, is "
+                             "allowed", duration, swing_limit), "choose a smaller one");
   const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
   if (portion > largest_portion)
     table.refuse("n_accum",
-                 fmt::format("passes strain in portions of {:.3g}, in which the peak of the shear stress goes by unseen: "
-                             "at most {:.3g}", portion, largest_portion), "choose a smaller one");
+                 fmt::format("passes a strain of {:.3g} at once, which may hide the peak of the shear stress: at most "
+                             "{:.3g} is allowed", portion, largest_portion), "choose a smaller one");
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ RowSpacing read_row_spacing(const Configuration& configuration, const TableNames
   if (rows.has("row_interval")) spacing.interval = rows.positive("row_interval", dimension::time);
   if (rows.has("row_strain")) spacing.strain = rows.positive("row_strain", dimension::dimensionless);
   if (!rows.has("row_interval") && !rows.has("row_strain"))
-    rows.refuse("most_rows", "says nothing of the distance of rows", "give row_interval, row_strain or both");
+    rows.refuse("most_rows", "does not give the spacing of rows", "give row_interval, row_strain or both");
   return spacing;
 }
 
@@ -187,7 +187,7 @@ void check_strength(const Configuration& configuration, const SlopeProperties& s
   const double ratio = initial_shear_stress(slope) / initial_normal_stress(slope);
   if (ratio < friction) return;
   configuration.refuse("slope.angle",
-                       fmt::format("makes tau_0 {:.3g} of sigma_0, and a sample of friction {:.3g} bears less than "
+                       fmt::format("makes tau_0/sigma_0 = {:.3g}, but a sample with friction {:.3g} bears less than "
                                    "{:.3g}", ratio, friction, friction),
                        "make the slope flatter or the grains rougher");
 }

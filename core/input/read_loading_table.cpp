@@ -61,7 +61,7 @@ StressTable loading_table_of(std::string_view text, const std::string& origin) {
     const double now = number_of(words[0], place);
     if (!table.time.empty() && now <= table.time.back())
       throw ConfigurationError(fmt::format("{}: the time {} s does not come after {} s; sort the rows by time and "
-                                           "leave no time twice", place, now, table.time.back()));
+                                           "give each time once", place, now, table.time.back()));
     table.time.push_back(now);
     table.change.push_back(number_of(words[1], place));
   }

@@ -153,8 +153,8 @@ TEST_F(ConfigurationOnABase, LaysTheCaseFileAndItsScaleOverTheBaseAndItsScale) {
 TEST_F(ConfigurationOnABase, LeavesKeysOfTheBaseToOtherCases) {
   const Configuration c = read_on("n = 1\n[other]\nk = 1\n[scale.quick]\nother.k = 2\n", "[own]\nk = 1\n");
   EXPECT_EQ(c.integer("n"), 1);
-  EXPECT_EQ(complaint([&] { c.reject_unknown(); }), "shear/case.toml:2:2: unknown table \"own\"; no known name is similar; "
-                                                    "--dry-run prints all keys");
+  EXPECT_EQ(complaint([&] { c.reject_unknown(); }),
+            "shear/case.toml:2:2: unknown table \"own\"; no known name is similar; --dry-run prints all keys");
   EXPECT_EQ(c.resolved(), "n = 1\n");
 }
 
