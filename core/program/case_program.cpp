@@ -67,8 +67,8 @@ class CaseProgram {
   void warn_of_idle_ranks() const {
     const std::string engine = configuration_.text("engine", case_.description().engines);
     if (mpi_ranks() > 1 && first_rank() && !engine.starts_with("liggghts"))
-      std::cerr << fmt::format("flowslide: each of the {} ranks does the whole work with --engine {}; only liggghts shares "
-                               "it\n", mpi_ranks(), engine);
+      std::cerr << fmt::format("flowslide: with --engine {} each of the {} ranks does the whole work; only liggghts "
+                               "divides the work\n", engine, mpi_ranks());
   }
 
   static std::vector<std::string> names(const std::vector<Point>& points) {
@@ -82,7 +82,7 @@ class CaseProgram {
   int list() const {
     if (!first_rank()) return to_int(ExitCode::ok);
     if (!changed_.empty() && !options_.json)
-      std::cerr << fmt::format("flowslide: settings that are not those of the case: {}; its claims are not evaluated\n",
+      std::cerr << fmt::format("flowslide: settings differ from those of the case: {}; its claims are not evaluated\n",
                                fmt::join(changed_, "; "));
     const ClaimsFile claims = load_claims(folder_ / "claims.toml");
     nlohmann::ordered_json all;
@@ -109,8 +109,8 @@ class CaseProgram {
     std::ostream nowhere(nullptr);
     std::ostream& out = first_rank() ? std::cout : nowhere;
     out << "# resolved configuration, hash " << hash_of(configuration_.resolved()) << "\n"
-        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n"
-        << "# behind each value stands the line or the option that gives it\n";
+        << "# quantities are in quotes with their SI unit; a key with a bare number takes bare numbers only\n"
+        << "# the comment after each value names the line or the option that sets it\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
     out << configuration_.resolved_with_origins();
     for (const Point& point : points_) {
@@ -186,7 +186,7 @@ class CaseProgram {
     if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_name));
     if (same_on_all_ranks(begun && begun->complete)) {
       if (first_rank())
-        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
+        std::cerr << fmt::format("{}: the result exists, with this configuration (code {:.7}); not run again\n",
                                  point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }

@@ -20,8 +20,8 @@ class Owners {
     const auto [known, is_new] = owners_.emplace(name, owner);
     if (!is_new)
       throw ConfigurationError(
-          fmt::format("the name \"{}\" is taken twice: by {} and by {}, which would be written to one file; give the table "
-                      "[point.<name>] another name (replicate N of a point is named <name>_rN)",
+          fmt::format("the name \"{}\" is taken twice: by {} and by {}; both would be written to one file; give the "
+                      "table [point.<name>] another name (replicate N of a point is named <name>_rN)",
                       name, known->second, owner));
   }
 

@@ -17,8 +17,8 @@ void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& s
       const auto [known, is_new] = first.emplace(sample.name + "\n" + sample.recipe.text(), replicate);
       if (!is_new)
         throw ConfigurationError(fmt::format(
-            "replicates {} and {} of the sample \"{}\" are the same: both begin with the seed {} and the preparation "
-            "friction {}; give sample.{}.seed_offsets a number for each replicate, no two of them equal",
+            "replicates {} and {} of the sample \"{}\" are the same: both start from seed {} and preparation friction "
+            "{}; give sample.{}.seed_offsets one number for each replicate, all of them different",
             known->second + 1, replicate + 1, sample.name, sample.recipe.packing.seed,
             sample.recipe.preparation_friction, sample.name));
     }
@@ -33,9 +33,9 @@ void refuse_equal_samples(const std::vector<Provenance>& results) {
     if (known.replicate == result.replicate) continue;
     const std::string table = result.sample.substr(0, blank);
     throw ConfigurationError(fmt::format(
-        "{} and {} are no replicates: they have the same sample \"{}\", as the search for its void ratio counts seeds "
-        "on from one to the other; set sample.{}.seed_offsets so that the seeds of two replicates lie farther apart, such "
-        "as [0, 1000, 2000]",
+        "{} and {} are no replicates: they have the same sample \"{}\", because the search for its void ratio "
+        "increased the seed of one to that of the other; set sample.{}.seed_offsets to numbers farther apart, such as "
+        "[0, 1000, 2000]",
         known.point, result.point, table, table));
   }
 }

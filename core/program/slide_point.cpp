@@ -84,7 +84,7 @@ void check_together(const Tables& table, const SlidePoint& point) {
   const double driving = initial_shear_stress(settings.slope), prepared = point.sample.recipe.shear_stress;
   if (std::abs(driving - prepared) <= largest_residual * initial_normal_stress(settings.slope)) return;
   table.refuse("sample",
-               fmt::format("is prepared to tau = {:.4g} Pa, and the slope begins with {:.4g} Pa: they may differ by {} "
+               fmt::format("is prepared to tau = {:.4g} Pa, but the slope starts with {:.4g} Pa: they may differ by {} "
                            "sigma_0 at most",
                            prepared, driving, largest_residual),
                "choose a sample that is not isotropic, or let the residual stay");

@@ -50,10 +50,10 @@ TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
   };
   ASSERT_EQ(run(mine), 0) << error_;
   ASSERT_EQ(run(mine), 0);
-  EXPECT_CONTAINS(error_, "is there already");
+  EXPECT_CONTAINS(error_, "the result exists");
   scratch_.write("quake.txt", "# the same numbers\n0 0.0\n1 5e2  # Pa\n");
   ASSERT_EQ(run(mine), 0);
-  EXPECT_CONTAINS(error_, "is there already");
+  EXPECT_CONTAINS(error_, "the result exists");
 
   scratch_.write("quake.txt", "0 0\n1 501\n");
   EXPECT_EQ(run(mine), 2);

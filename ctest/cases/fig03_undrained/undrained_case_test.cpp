@@ -209,7 +209,7 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const std::string bytes = content_of("out/I_2e-2.h5");
   const Outcome again = run(small);
   EXPECT_EQ(again.code, 0);
-  EXPECT_CONTAINS(again.error, "I_2e-2: is there already, with this configuration (code ");
+  EXPECT_CONTAINS(again.error, "I_2e-2: the result exists, with this configuration (code ");
   EXPECT_EQ(content_of("out/I_2e-2.h5"), bytes);
 
   Options other = small;
