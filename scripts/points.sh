@@ -46,7 +46,7 @@ progress_line() {
   local left=$(($3 - SECONDS + $4)) done_points
   done_points=$(find "$scratch" -type f | wc -l)
   printf '%s: %d of %d points done, %s' "$1" "$done_points" "$(wc -l <<<"$2")" \
-    "$( ((left > 0)) && echo "about $(duration "$left") left" || echo "longer than predicted: samples are being prepared")"
+    "$( ((left > 0)) && echo "about $(duration "$left") left" || echo "longer than predicted; samples may be prepared")"
 }
 
 # run_points NAME POINTS JOBS COMMAND...: runs COMMAND --point POINT for each point, JOBS at a time. If runs fail, exits
@@ -81,7 +81,7 @@ run_points() {
 
   while IFS=$'\t' read -r point _; do
     code=$(cat "$scratch/$point" 2>/dev/null || echo 3)
-    ((code == 0)) || die "reproduce: point $point of $name ended with exit code $code; no figure is drawn" "$code"
+    ((code == 0)) || die "reproduce: point $point of $name ended with exit code $code; no figure is plotted" "$code"
   done <<<"$points"
   rm -r "$scratch"
   say "$name: all points done in $(duration $((SECONDS - started)))"
@@ -89,7 +89,7 @@ run_points() {
 
 stop_points() {
   say ''
-  say 'reproduce: stopping the points that run; once more ends them at once'
+  say 'reproduce: stopping the running points; press Ctrl-C again to end them at once'
   trap 'kill -KILL -- "-'"$1"'" 2>/dev/null; exit 130' INT TERM
   kill -INT -- "-$1" 2>/dev/null
   while kill -0 -- "-$1" 2>/dev/null; do sleep 0.2; done

@@ -45,13 +45,13 @@ quietly() {
     "$@" >"$log" 2>&1 && return 0
     tail -n 40 "$log" >&2
   fi
-  die "flowslide: '$what' failed; the whole log is $log" 1
+  die "flowslide: '$what' failed; see $log" 1
 }
 
 install_packages() {
   local missing as_root=()
   command -v dpkg-query >/dev/null || die \
-    "flowslide: this is no Debian: install what packages.txt names, then run: cmake --workflow --preset release"
+    "flowslide: this is not Debian: install the packages of packages.txt, then run: cmake --workflow --preset release"
   mapfile -t missing < <(missing_packages)
   ((${#missing[@]})) || return 0
 
@@ -59,7 +59,7 @@ install_packages() {
   if ((EUID != 0)); then
     as_root=(sudo -n)
     if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
-      say "flowslide: Debian packages are missing, and this user can install none without a password. As root, run:"
+      say "flowslide: Debian packages are missing, and this user cannot install them without a password. Run as root:"
       die "  apt-get update && ${install[*]}"
     fi
   fi

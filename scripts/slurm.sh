@@ -8,7 +8,7 @@
 submit_points() {
   local name=$1 points=$2 ranks=$3 folder=$4 names job collecting logs command=()
   shift 4
-  command -v sbatch >/dev/null || die 'reproduce: --slurm: sbatch is not here; run this on a node that submits jobs'
+  command -v sbatch >/dev/null || die 'reproduce: --slurm: sbatch is missing; run this on a node that submits jobs'
   while [[ $1 != -- ]]; do command+=("$1"); shift; done
   shift
   mapfile -t names < <(cut -f 1 <<<"$points")
@@ -19,5 +19,5 @@ submit_points() {
   job=${job%%;*}   # in a federation, sbatch prints "job;cluster"
   collecting=$(sbatch --parsable --job-name="$name-collect" --ntasks=1 --output="$logs/collect.log" \
     --dependency="afterany:$job" --wrap "$(printf '%q ' "$@")") || die 'reproduce: sbatch refused the collection' 1
-  say "$name: ${#names[@]} points are job $job, their collection is job ${collecting%%;*}; output in $logs"
+  say "$name: job $job runs ${#names[@]} points, job ${collecting%%;*} collects their results; output in $logs"
 }

@@ -13,7 +13,7 @@ export LC_ALL=C.UTF-8   # numbers with a decimal point
 
 points=()
 while (($#)) && [[ $1 != -- ]]; do points+=("$1"); shift; done
-(($# > 1)) || { echo 'slurm_array.sh: no command behind --; ./reproduce --slurm submits this script' >&2; exit 2; }
+(($# > 1)) || { echo 'slurm_array.sh: no command after --; ./reproduce --slurm submits this script' >&2; exit 2; }
 shift
 point=${points[SLURM_ARRAY_TASK_ID - 1]}
 # Each rank uses one thread. mpirun in COMMAND uses the cores of the task.
