@@ -116,7 +116,7 @@ void add_formulas(std::vector<Metric>& metrics, const Record& record) {
       {"bagi_nicot_difference", apart(started_from, record.final_strain()), "1",
        "largest difference of Bagi's and Nicot's stress beyond 0.1 % strain over the largest shear stress"});
   metrics.push_back({"bagi_nicot_difference_at_start", apart(0.0, started_from), "1",
-                     "the same up to 0.1 % strain, where torques have not balanced yet"});
+                     "this difference up to 0.1 % strain, where torques are not in balance yet"});
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ void UndrainedCase::read(const Configuration& configuration) {
   for (const SlidePoint& point : slides()) {
     if (!picture_strains_.contains(point.name)) continue;
     const std::string key = picture_key(point.name);
-    if (!point.test) configuration.refuse(key, "is of a point that is no element test", "give final_strain as well");
+    if (!point.test)
+      configuration.refuse(key, "belongs to a point that is not an element test", "give final_strain too");
     configuration.number(key, Range::between(0.0, point.test->final_strain));
   }
 }

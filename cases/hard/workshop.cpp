@@ -23,7 +23,7 @@ GrainScale grain_scale(const SampleRecipe& recipe) {
 SampleRecipe& recipe_named(Suite& suite, const Configuration& configuration, const std::string& name) {
   if (name == "loose") return suite.loose;
   if (name == "dense") return suite.dense;
-  configuration.refuse("sample." + name, "is no sample of these scenes", "leave it out, or call it loose or dense");
+  configuration.refuse("sample." + name, "is not a sample of these scenes", "remove it, or name it loose or dense");
 }
 
 /// Throws ConfigurationError unless both samples are there. recipe_named refuses any other sample.
