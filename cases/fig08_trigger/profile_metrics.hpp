@@ -10,7 +10,7 @@ namespace flowslide {
 ///   linearity_<i>          R^2 of a straight line through v_x
 ///   shear_top_<i>          mean <tau>/tau of the three sublayers below the highest one
 ///   shear_bottom_<i>       mean <tau>/tau of the three sublayers above the lowest one
-///   normal_unevenness_<i>  largest difference of <sigma>/sigma from its mean / this mean
+///   normal_unevenness_<i>  largest difference of <sigma>/sigma from its mean over the height, divided by this mean
 /// The highest and the lowest sublayer are left out of the stresses, because they overlap with the glued layers.
 std::vector<Metric> profile_metrics(const Series& profiles);
 

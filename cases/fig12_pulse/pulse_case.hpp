@@ -9,8 +9,8 @@ namespace flowslide {
 class PulseCase : public SlideCase {
  public:
   PulseCase();
-  /// Also writes <slide>_windows.dat, the replicates over x in wider windows, for the pore pressure: it jumps whenever
-  /// the grains jam. Writes the amplitude of each slide as the legend.
+  /// Also writes the amplitude of each slide as the legend, and <slide>_windows.dat, the replicates over x in wider
+  /// windows. The wider windows are for the pore pressure, which jumps whenever the grains jam.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

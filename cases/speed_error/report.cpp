@@ -14,7 +14,7 @@
 namespace flowslide {
 namespace {
 
-/// Smallest error/spread that a figure shows. Its axis is logarithmic, so smaller values are replaced by this one.
+/// Smallest error/spread in a figure. The axis is logarithmic, so this value replaces all smaller ones.
 constexpr double least_shown = 1e-4;
 
 std::string title_of(Scene scene) {

@@ -20,7 +20,7 @@ namespace flowslide {
 namespace {
 
 constexpr int free_slide_steps = 1000;     ///< time steps of the slide on a sample without strength
-constexpr double strain_at_peak = 0.01;    ///< strain at the peak of loose samples, about; up to it p is about p_0
+constexpr double strain_at_peak = 0.01;    ///< about the strain at the peak of loose samples; up to it p is about p_0
 
 const SampleSpecification& sample_named(const Configuration& configuration, const std::string& key,
                                         const std::vector<SampleSpecification>& samples) {
@@ -73,7 +73,7 @@ std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
                      point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
-/// Checks that depend on several keys. After them a run can fail only numerically.
+/// Checks that depend on several keys. A run that passes them can fail only numerically.
 void check_together(const Tables& table, const SlidePoint& point) {
   const SlideSettings& settings = point.settings;
   as_written_by_user("point " + point.name, [&] {
@@ -87,7 +87,7 @@ void check_together(const Tables& table, const SlidePoint& point) {
                fmt::format("is prepared to tau = {:.4g} Pa, but the slope starts with {:.4g} Pa: they may differ by {} "
                            "sigma_0 at most",
                            prepared, driving, largest_residual),
-               "choose a sample that is not isotropic, or let the residual stay");
+               "choose a sample that is not isotropic, or set residual = \"stays\"");
 }
 
 }  // namespace

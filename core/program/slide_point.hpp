@@ -32,9 +32,8 @@ struct SlidePoint {
 
 /// Reads the table [point.<name>]. Keys of a slide: figures; sample, a name below [sample]; scheme, a name below
 /// [scheme]; and optionally hydraulic_conductivity, profile_strains and engine.
-/// - Order of lookup for coupling: [point.<name>.coupling], [scheme.<scheme>], [coupling]. The optional key
-/// linear_start
-///   is read there too.
+/// - Order of lookup for coupling: [point.<name>.coupling], [scheme.<scheme>], [coupling]. It includes the optional
+///   key linear_start.
 /// - Order of lookup for loading, stop and rows: [point.<name>.loading], then [loading], and so on.
 /// - With the key final_strain the point is an element test, which has no scheme. Keys of the test that the point does
 ///   not have are read from [element_test] (see read_shear_test), the local time step as above from coupling.

@@ -8,9 +8,9 @@
 
 namespace flowslide {
 
-/// Progress of a slide, counted in local steps. Local steps take nearly all of the time, and an exchange needs more of
-/// them the faster the slope slides. Their total N is not known. It is estimated from the steps n so far, and from the
-/// predicted steps (see predicted_steps) in total, P, and up to the present time, p: N = n P/p.
+/// Progress of a slide, counted in local steps. Local steps take nearly all of the time. The faster the slope slides,
+/// the more of them an exchange needs. Their total N is not known and is estimated as N = n P/p. n is the number of
+/// steps so far. P and p are the predicted steps (see predicted_steps) in total and up to the present time.
 class SlideProgress {
  public:
   /// `start`: the present state of the slide.
