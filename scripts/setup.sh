@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash
-# Set-up that ./check and ./reproduce share: packages, configuration, build. Sourced; sets `root`.
+# Set-up that ./check and ./reproduce share: packages, configuration, build. Sourced. Sets `root`.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# Numbers have a decimal point, whatever the locale of the user: awk, printf and sort read and write them.
+# awk, printf and sort use a decimal point in every locale of the user.
 export LC_ALL=C.UTF-8
 
-# One rank computes with one thread; points and ranks share the cores, so no rank is tied to one.
+# Each rank uses one thread. Runs and ranks share the cores, so no rank is bound to a core.
 export OMP_NUM_THREADS=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_rmaps_base_oversubscribe=1
 if ((EUID == 0)); then
@@ -17,10 +17,10 @@ fi
 say() { printf '%s\n' "$*" >&2; }
 die() { say "$1"; exit "${2:-2}"; }
 
-# Prepared samples belong to the project, wherever it is called from.
+# Prepared samples go to the folder of the project, not to the current folder.
 export FLOWSLIDE_CACHE=${FLOWSLIDE_CACHE:-$root/cache}
 
-# The packages of these lists, one a line.
+# packages: prints the packages of these lists, one per line.
 package_lists=("$root/packages.txt")
 packages() { cat "${package_lists[@]}" | sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d'; }
 
@@ -32,7 +32,8 @@ missing_packages() {
   done < <(packages)
 }
 
-# quietly WHAT LOG COMMAND...: runs it with its output in LOG, shown too under CI=true, and its end when it fails.
+# quietly WHAT LOG COMMAND...: runs COMMAND with its output in LOG. Shows the output too if CI=true. If COMMAND fails,
+# shows the last 40 lines and exits with 1.
 quietly() {
   local what=$1 log=$2
   shift 2
@@ -44,13 +45,13 @@ quietly() {
     "$@" >"$log" 2>&1 && return 0
     tail -n 40 "$log" >&2
   fi
-  die "flowslide: '$what' failed; the whole log is $log" 1
+  die "flowslide: '$what' failed; see $log" 1
 }
 
 install_packages() {
   local missing as_root=()
   command -v dpkg-query >/dev/null || die \
-    "flowslide: this is no Debian: install what packages.txt names, then run: cmake --workflow --preset release"
+    "flowslide: this is not Debian: install the packages of packages.txt, then run: cmake --workflow --preset release"
   mapfile -t missing < <(missing_packages)
   ((${#missing[@]})) || return 0
 
@@ -58,7 +59,7 @@ install_packages() {
   if ((EUID != 0)); then
     as_root=(sudo -n)
     if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
-      say "flowslide: Debian packages are missing, and this user can install none without a password. As root, run:"
+      say "flowslide: Debian packages are missing, and this user cannot install them without a password. Run as root:"
       die "  apt-get update && ${install[*]}"
     fi
   fi
@@ -67,7 +68,8 @@ install_packages() {
   quietly "install Debian packages: ${missing[*]}" "$root/build/apt.log" "${as_root[@]}" "${quiet[@]}" "${install[@]}" "${options[@]}" </dev/null
 }
 
-# build PRESET [TARGET]: configures and builds into build/PRESET, everything unless told. Two at a time wait for each other.
+# build PRESET [TARGET]: configures and builds TARGET (default: all) into build/PRESET. A lock lets one build run at a
+# time.
 build() {
   local preset=$1 target=${2:-all}
   mkdir -p "$root/build"
@@ -79,7 +81,7 @@ build() {
   ) 9>"$root/build/.lock"
 }
 
-# set_up PRESET [TARGET]
+# set_up PRESET [TARGET]: installs missing packages and builds.
 set_up() {
   install_packages
   build "$@"

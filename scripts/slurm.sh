@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash
-# Points of a case as a Slurm job array, and a job behind it that collects them. Sourced by ./reproduce.
+# Submits the runs of a case as a Slurm job array, followed by a job that collects the results. Sourced by ./reproduce.
 
-# submit_points NAME POINTS RANKS FOLDER COMMAND... -- COLLECT...: submits slurm_array.sh for these points, each by COMMAND,
-# and behind all of them a job that runs COLLECT. Account, partition, time and so on come from sbatch's own variables,
-# such as SBATCH_TIMELIMIT.
+# submit_points NAME POINTS RANKS FOLDER COMMAND... -- COLLECT...: submits slurm_array.sh, which runs COMMAND for each
+# point. After all of them, a second job runs COLLECT. Account, partition, time limit and so on are set by the variables
+# of sbatch, such as SBATCH_TIMELIMIT.
 submit_points() {
   local name=$1 points=$2 ranks=$3 folder=$4 names job collecting logs command=()
   shift 4
-  command -v sbatch >/dev/null || die 'reproduce: --slurm: sbatch is not here; run this on a node that submits jobs'
+  command -v sbatch >/dev/null || die 'reproduce: --slurm: sbatch is missing; run this on a node that submits jobs'
   while [[ $1 != -- ]]; do command+=("$1"); shift; done
   shift
   mapfile -t names < <(cut -f 1 <<<"$points")
@@ -16,8 +16,8 @@ submit_points() {
   mkdir -p "$logs"
   job=$(sbatch --parsable --job-name="$name" --array="1-${#names[@]}" --ntasks="$ranks" --output="$logs/%A_%a.log" \
     "$root/scripts/slurm_array.sh" "${names[@]}" -- "${command[@]}") || die 'reproduce: sbatch refused the points' 1
-  job=${job%%;*}   # on a federation the cluster stands behind
+  job=${job%%;*}   # in a federation, sbatch prints "job;cluster"
   collecting=$(sbatch --parsable --job-name="$name-collect" --ntasks=1 --output="$logs/collect.log" \
     --dependency="afterany:$job" --wrap "$(printf '%q ' "$@")") || die 'reproduce: sbatch refused the collection' 1
-  say "$name: ${#names[@]} points are job $job, their collection is job ${collecting%%;*}; output in $logs"
+  say "$name: job $job runs ${#names[@]} points, job ${collecting%%;*} collects their results; output in $logs"
 }

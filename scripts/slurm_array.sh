@@ -3,8 +3,8 @@
 # The Slurm job script of all cases: task i of the array runs the i-th point. ./reproduce --slurm submits it.
 # Usage: sbatch --array=1-N [SBATCH OPTIONS...] slurm_array.sh POINT... -- COMMAND...
 #
-# Before its time is over, or when it is preempted, a task is told to stop; the point keeps a checkpoint and ends with 75,
-# and the task queues again to go on from there.
+# Slurm sends TERM before the time limit and at preemption. The run then writes a checkpoint and ends with exit code 75.
+# The task is queued again and continues from the checkpoint.
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --signal=B:TERM@120
@@ -13,16 +13,16 @@ export LC_ALL=C.UTF-8   # numbers with a decimal point
 
 points=()
 while (($#)) && [[ $1 != -- ]]; do points+=("$1"); shift; done
-(($# > 1)) || { echo 'slurm_array.sh: no command behind --; ./reproduce --slurm submits this script' >&2; exit 2; }
+(($# > 1)) || { echo 'slurm_array.sh: no command after --; ./reproduce --slurm submits this script' >&2; exit 2; }
 shift
 point=${points[SLURM_ARRAY_TASK_ID - 1]}
-# Each rank computes with one thread; mpirun inside takes the cores of the task.
+# Each rank uses one thread. mpirun in COMMAND uses the cores of the task.
 export OMP_NUM_THREADS=1
 
 "$@" --point "$point" &
 running=$! told=no
 trap 'told=yes; kill -TERM "$running"' TERM
-while :; do   # a signal ends `wait` before the program has ended
+while :; do   # a signal ends `wait` before the program ends, so wait again
   wait "$running"
   code=$?
   [[ $told == yes ]] || break

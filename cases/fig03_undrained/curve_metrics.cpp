@@ -10,12 +10,12 @@
 namespace flowslide {
 namespace {
 
-constexpr double started_from = 1e-3;    ///< strain within which the sudden start of a fast test dies away
-constexpr double first_window = 0.05;    ///< strain within which the first peak lies
-constexpr double liquefied_from = 0.10;  ///< strain from which the loosest sample has been liquefied for long
+constexpr double started_from = 1e-3;    ///< strain at which the effect of the sudden start of a fast test has decayed
+constexpr double first_window = 0.05;    ///< the first peak lies below this strain
+constexpr double liquefied_from = 0.10;  ///< strain well after the liquefaction of the loosest sample
 constexpr double regain_from = 0.25;     ///< "when shear strain develops more than 25 %"
-constexpr double quasi_static = 1e-3;    ///< inertial number up to which shearing is nearly quasi-static
-constexpr double carries_stress = 0.01;  ///< share of sigma_0 above which a sample is not liquefied
+constexpr double quasi_static = 1e-3;    ///< up to this inertial number shear is nearly quasi-static
+constexpr double carries_stress = 0.01;  ///< a sample with sigma/sigma_0 above this value is not liquefied
 
 class Record {
  public:
@@ -27,7 +27,7 @@ class Record {
   double final_strain() const { return strain(rows() - 1); }
   double scale() const { return scale_; }
 
-  /// Calls visit(row) for the rows whose strain lies in [from, to].
+  /// Calls visit(row) for all rows with a strain in [from, to].
   void each(double from, double to, const std::function<void(std::size_t)>& visit) const {
     for (std::size_t row = 0; row < rows(); ++row)
       if (strain(row) >= from && strain(row) <= to) visit(row);
@@ -42,7 +42,7 @@ class Record {
     each(from, to, [&](std::size_t row) { value = std::min(value, at(column, row)); });
     return value;
   }
-  /// Mean over strain (rows are not evenly spaced).
+  /// Mean over strain by the trapezoidal rule, because rows are not evenly spaced.
   double mean(const char* column, double from, double to) const {
     double sum = 0.0, width = 0.0;
     for (std::size_t row = 1; row < rows(); ++row) {
@@ -59,7 +59,7 @@ class Record {
   double scale_;
 };
 
-/// Liquefaction and regain.
+/// Adds the metrics of liquefaction and of the regain of strength.
 void add_liquefaction(std::vector<Metric>& metrics, const Record& record) {
   const double end = record.final_strain();
   if (end < regain_from) return;
@@ -99,7 +99,8 @@ void add_rates(std::vector<Metric>& metrics, const Record& record) {
                      "largest kinetic over contact normal stress while the sample bears 1 % of sigma_0"});
 }
 
-/// How far Bagi's and Nicot's stress part, over the largest shear stress: beyond the start, and while it lasts.
+/// Adds the largest difference between the stresses of Bagi and Nicot, relative to the largest shear stress: after the
+/// start of the test, and during it.
 void add_formulas(std::vector<Metric>& metrics, const Record& record) {
   const double largest = record.largest("bagi_shear_stress", 0.0, record.final_strain());
   const auto apart = [&](double from, double to) {
@@ -115,7 +116,7 @@ void add_formulas(std::vector<Metric>& metrics, const Record& record) {
       {"bagi_nicot_difference", apart(started_from, record.final_strain()), "1",
        "largest difference of Bagi's and Nicot's stress beyond 0.1 % strain over the largest shear stress"});
   metrics.push_back({"bagi_nicot_difference_at_start", apart(0.0, started_from), "1",
-                     "the same up to 0.1 % strain, where torques have not balanced yet"});
+                     "this difference up to 0.1 % strain, where torques are not in balance yet"});
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ std::vector<Metric> curve_metrics(const Series& series, const StressPeak& peak, 
   add_liquefaction(metrics, record);
   add_rates(metrics, record);
   add_formulas(metrics, record);
-  // A quotient or mean of nothing; kept, it would forbid to write the whole result.
+  // Ratios and means without data are not finite. A result accepts finite metrics only.
   std::erase_if(metrics, [](const Metric& metric) { return !std::isfinite(metric.value); });
   return metrics;
 }

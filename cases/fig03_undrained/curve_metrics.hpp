@@ -7,9 +7,9 @@
 
 namespace flowslide {
 
-/// The numbers that the claims about a curve are made of, from the record of an element test. `peak` is that of the
-/// shear stress up to 5 % strain. Stresses relative to `initial_normal_stress` (sigma_0, Pa) are shares of 1. A metric
-/// that the curve does not have (it ends before the window, say) is left out.
+/// Metrics of one curve, from the measured rows of its element test. `peak` is the peak of tau up to 5 % strain. Ratios
+/// to `initial_normal_stress` (sigma_0, Pa) are fractions of 1. A metric that the curve does not have is left out, for
+/// instance if the test ends before the window of the metric.
 std::vector<Metric> curve_metrics(const Series& series, const StressPeak& peak, double initial_normal_stress);
 
 }  // namespace flowslide

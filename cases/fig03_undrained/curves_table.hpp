@@ -8,8 +8,8 @@
 
 namespace flowslide {
 
-/// The metrics of some curves as a table (see table_head): the column "curve" and one per metric; one row per curve.
-/// Columns are in the order in which the curves name their metrics; a metric that a curve does not have is "nan" there.
+/// The metrics of curves as a table (see table_head), one row per curve. The first column is "curve"; one column per
+/// metric follows, in the order in which the curves name them. "nan" for a metric that the curve does not have.
 std::string curves_table(const std::vector<std::pair<std::string, std::vector<Metric>>>& curves);
 
 }  // namespace flowslide

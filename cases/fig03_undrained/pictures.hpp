@@ -8,12 +8,13 @@
 
 namespace flowslide {
 
-/// Strains of the frames up to `strain`, evenly from 0.
+/// Strains of the frames: equally spaced from 0 to `strain`.
 std::vector<double> frame_strains(double strain);
 
-/// Writes what Fig. 2 shows: fig02_before.dat and fig02_during.dat, the sample at the first and at the last of the shots;
-/// the tables of the sample before shear (see write_sample_tables); and all shots for ParaView, <name>.pvd with its .vtp
-/// files in <name>_frames.
+/// Writes the files of Fig. 2. `shots` are the states of the sample, at least one.
+///   fig02_before.dat, fig02_during.dat   the sample in the first and in the last state
+///   fig02_...                            tables of the sample before shear (see write_sample_tables)
+///   <name>.pvd                           all states for ParaView, with its .vtp files in <name>_frames
 void write_frames(const OutputFolder& output, const std::string& name, const std::vector<Shot>& shots);
 
 }  // namespace flowslide

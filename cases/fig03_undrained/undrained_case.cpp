@@ -15,7 +15,7 @@ namespace {
 
 std::string picture_key(const std::string& point) { return "point." + point + ".picture_strain"; }
 
-/// The keys that this case had before it had those of the other cases.
+/// Refuses the names that some keys had before this case used the keys of the other cases.
 void refuse_old_keys(const Configuration& configuration) {
   configuration.refuse_renamed("shear.time_step", "coupling.local_time_step");
   configuration.refuse_renamed("shear.final_strain", "point.<name>.final_strain");
@@ -45,7 +45,8 @@ void UndrainedCase::read(const Configuration& configuration) {
   for (const SlidePoint& point : slides()) {
     if (!picture_strains_.contains(point.name)) continue;
     const std::string key = picture_key(point.name);
-    if (!point.test) configuration.refuse(key, "is of a point that is no element test", "give final_strain as well");
+    if (!point.test)
+      configuration.refuse(key, "belongs to a point that is not an element test", "give final_strain too");
     configuration.number(key, Range::between(0.0, point.test->final_strain));
   }
 }

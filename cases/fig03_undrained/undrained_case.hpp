@@ -7,14 +7,14 @@
 
 namespace flowslide {
 
-/// Figs. 2, 3 and 4: constant-volume simple shear of loose packings, which are element tests alone. A point with
-/// `picture_strain` writes the pictures of Fig. 2 as well: the sample before shear and at that strain.
+/// Figs. 2, 3 and 4: constant-volume simple shear of loose packings. The points are element tests. A point with the key
+/// `picture_strain` also writes the pictures of Fig. 2: the sample before shear and at this strain.
 class UndrainedCase : public SlideCase {
  public:
   UndrainedCase();
   void read(const Configuration& configuration) override;
   std::vector<std::string> tables() const override;
-  /// And the legends, and curves.dat, the metrics of all curves (see curves_table).
+  /// Also writes the legend, and the metrics of all curves as curves.dat (see curves_table).
   void finish(const OutputFolder& output) const override;
 
  protected:
@@ -26,7 +26,7 @@ class UndrainedCase : public SlideCase {
                       const std::vector<Shot>& shots) const override;
 
  private:
-  std::map<std::string, double> picture_strains_;  ///< by the name of the table of a point
+  std::map<std::string, double> picture_strains_;  ///< name of the table of a point -> its picture_strain
 };
 
 }  // namespace flowslide

@@ -11,11 +11,11 @@
 namespace flowslide {
 namespace {
 
-constexpr double compared_to = 5e-3;  ///< strain to which curves are compared
+constexpr double compared_to = 5e-3;  ///< curves are compared up to this strain
 constexpr int windows = 20;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Means of a column over windows of an abscissa from 0 to `end`; empty if the run ends before.
+/// Means of a column over equal windows of an abscissa from 0 to `end`. Shape (windows); empty if the run ends before.
 std::vector<double> means_of(const Result& result, const char* column, const char* abscissa, double end) {
   const Series& all = windows_over(result, abscissa);
   if (!(end_of(all) >= end && end > 0.0)) return {};
@@ -36,25 +36,25 @@ double sum_of_squares(const std::vector<double>& values) {
   return sum;
 }
 
-/// Root mean square of the difference over that of the reference; NaN if one has no values.
+/// RMS of the difference / RMS of the reference; NaN if one of them is empty.
 double relative_difference(std::vector<double> values, const std::vector<double>& reference) {
   if (values.empty() || reference.empty()) return nothing;
   for (int window = 0; window < windows; ++window) values[window] -= reference[window];
   return std::sqrt(sum_of_squares(values) / sum_of_squares(reference));
 }
 
-/// Errors of the slides of one passing at I = 1e-2, by dt_G from large to small, and the slides themselves.
+/// For the slides of one passing at I = 1e-2: dt_G, from large to small -> error or slide.
 using Errors = std::map<double, double, std::greater<>>;
 using Slides = std::map<double, const Ensemble*, std::greater<>>;
 
-constexpr double rounding = 1e-9;  ///< by which parameters that are equal may differ: a product of others
+constexpr double rounding = 1e-9;  ///< relative difference by rounding between parameters that count as equal
 
 bool same_parameter(const Ensemble& a, const Ensemble& b, const char* name) {
   const double one = parameter_of(a, name), other = parameter_of(b, name);
   return std::abs(one - other) <= rounding * std::abs(other);
 }
 
-/// Of the samples that have been run alone as well.
+/// Errors of the replicates whose sample also has an element test.
 std::vector<double> errors_of(const Ensemble& ensemble, const Ensemble& alone) {
   std::vector<double> errors;
   for (const auto& [result, reference] : paired(ensemble, alone)) errors.push_back(relative_error(*result, *reference));
@@ -71,7 +71,7 @@ double least_ratio(const Errors& errors) {
   return least;
 }
 
-/// Between v(t) of two slides on the same samples, as far as both go.
+/// Relative difference of v(t) between two slides up to the end of the shorter record; median over the replicates.
 double velocity_change(const Ensemble& slides, const Ensemble& references) {
   std::vector<double> changes;
   for (const auto& [a, b] : paired(slides, references)) {
@@ -102,7 +102,7 @@ void compare_passings(const std::map<std::string, Errors>& high, double spread,
   }
 }
 
-/// How far slides with another n_accum, "carry<n>", are from those of "carry": the largest relative difference.
+/// Largest error of slides with another n_accum ("carry<n>") against those of "carry".
 double n_accum_difference(const Ensembles& slides) {
   double largest = nothing;
   for (const auto& [name, ensemble] : slides) {
@@ -115,7 +115,7 @@ double n_accum_difference(const Ensembles& slides) {
   return largest;
 }
 
-/// What is said of the slides of one passing at I = 1e-2, `slides`.
+/// Adds the metrics that compare different dt_G. `slides` are those of one passing at I = 1e-2.
 void compare_steps(const std::string& passing, const Slides& slides, const Ensembles& all,
                    std::map<std::string, double>& metrics) {
   if (slides.size() < 2) return;

@@ -4,13 +4,13 @@
 
 namespace flowslide {
 
-/// Figs. 6 and 7: a slope on a sample sheared at a given inertial number, by several time steps dt_G and ways to pass
-/// the strain on, beside the sample alone at the same rate.
+/// Figs. 6 and 7: a slope on a sample that is sheared at a given inertial number, for several time steps dt_G and
+/// several rules to pass the strain. Element tests of the sample at the same rate are the reference.
 class ConvergenceCase : public SlideCase {
  public:
   ConvergenceCase();
 
-  /// The errors as table.md besides, and the legend, dt_G of each slide.
+  /// Also writes the errors to table.md, and dt_G of each slide as the legend.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

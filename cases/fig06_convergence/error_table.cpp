@@ -39,7 +39,7 @@ std::string scientific(double value) {
 }  // namespace
 
 std::string error_table(const Ensembles& slides, const std::map<std::string, double>& metrics) {
-  std::map<double, std::map<std::string, std::string>, std::greater<>> rows;  // by dt_G, then by passing
+  std::map<double, std::map<std::string, std::string>, std::greater<>> rows;  // dt_G -> passing -> cell
   for (const auto& [name, ensemble] : slides) {
     const std::string text = is_shown(passing_of(name)) ? cell(metrics, name) : "";
     if (!text.empty() && alone_of(ensemble, slides) == "DEM_high")

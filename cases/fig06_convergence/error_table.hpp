@@ -7,10 +7,9 @@
 
 namespace flowslide {
 
-/// The errors of the slides that DEM_high is the reference of as a table in Markdown: a line per dt_G, a column per way
-/// to pass the strain, and in each "error (rate applied over the rate asked for)": "<slide>.error" and, of the first
-/// sample,
-/// "<slide>.rate_share" of convergence.hpp. What was not run is empty; no text if nothing was.
+/// The errors of the slides whose reference is DEM_high, as a table in Markdown: one line per dt_G, one column per
+/// passing. A cell gives "error (rate applied / rate asked for)": <slide>.error, and <slide>.rate_share of the first
+/// sample (see convergence.hpp). The cell of a slide without result is empty. Without any result the text is empty.
 std::string error_table(const Ensembles& slides, const std::map<std::string, double>& metrics);
 
 }  // namespace flowslide

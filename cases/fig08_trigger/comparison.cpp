@@ -11,8 +11,8 @@
 namespace flowslide {
 namespace {
 
-constexpr int path_windows = 20;  ///< of strain up to the peak, over which stresses are means
-constexpr double last_part = 0.9;  ///< of the displacement, from where on velocities are compared
+constexpr int path_windows = 20;  ///< windows of strain up to the peak; stresses are means over them
+constexpr double last_part = 0.9;  ///< velocities are compared from this fraction of the displacement on
 
 struct Schemes {
   const Ensemble* rd = nullptr;
@@ -25,8 +25,8 @@ Schemes schemes_of(const Ensembles& slides, const std::string& loading) {
   return {&rd->second, &ri->second};
 }
 
-/// RMS difference between RD and RI on one sample over the RMS deviation of RI between samples. Each row holds one
-/// quantity, such as tau in one window of strain, by RD and by RI for all samples.
+/// RMS difference between RD and RI on the same sample / RMS standard deviation of RI between samples. Each row has the
+/// pairs (RD, RI) of all samples for one quantity, such as tau in one window of strain.
 double difference_over_spread(const std::vector<std::vector<std::pair<double, double>>>& rows) {
   double differences = 0.0, variances = 0.0;
   for (const auto& row : rows) {
@@ -65,7 +65,7 @@ double median(const Ensemble& ensemble, const std::string& metric) {
   return statistics_of(ensemble, metric).median;
 }
 
-/// Velocity by RD over that by RI near the last displacement that both reach.
+/// Mean velocity of RD / mean velocity of RI over the last tenth of the displacement that both reach.
 double velocity_ratio(const Series& rd, const Series& ri) {
   const double end = std::min(end_of(rd), end_of(ri));
   return mean_over(rd, "velocity", last_part * end, end) / mean_over(ri, "velocity", last_part * end, end);

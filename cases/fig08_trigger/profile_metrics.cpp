@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-constexpr std::size_t near_a_plane = 3;  ///< sublayers that are called top and bottom
+constexpr std::size_t near_a_plane = 3;  ///< number of sublayers in "top" and in "bottom"
 
 double mean(const std::vector<double>& values, std::size_t from, std::size_t to) {
   double sum = 0.0;
@@ -42,7 +42,7 @@ std::vector<Metric> profile_metrics(const Series& profiles) {
     metrics.push_back({name("shear_bottom"), mean(shear, 1, 1 + near_a_plane), "1",
                        "shear stress of lower sublayers over that of the sample"});
     metrics.push_back({name("normal_unevenness"), unevenness(normal, 1, layers - 1), "1",
-                       "largest difference of a sublayer's normal stress from the mean, over that"});
+                       "largest difference of a sublayer's normal stress from their mean, over the mean"});
   }
   return metrics;
 }

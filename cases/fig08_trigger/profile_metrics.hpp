@@ -6,12 +6,12 @@
 
 namespace flowslide {
 
-/// How uniform a sample is, from its profiles (see ProfileRecord), for each of them by its number i:
+/// Metrics of the uniformity of a sample, from its profiles (see ProfileRecord). i is the number of the profile.
 ///   linearity_<i>          R^2 of a straight line through v_x
-///   shear_top_<i>          mean <tau>/tau of the three sublayers below the topmost
-///   shear_bottom_<i>       the same of the three above the lowest
-///   normal_unevenness_<i>  largest difference of <sigma>/sigma from its mean, over that mean
-/// The topmost and the lowest sublayer do not count for stress: they lie partly behind the glued layers.
+///   shear_top_<i>          mean <tau>/tau of the three sublayers below the highest one
+///   shear_bottom_<i>       mean <tau>/tau of the three sublayers above the lowest one
+///   normal_unevenness_<i>  largest difference of <sigma>/sigma from its mean over the height, divided by this mean
+/// The highest and the lowest sublayer are left out of the stresses, because they overlap with the glued layers.
 std::vector<Metric> profile_metrics(const Series& profiles);
 
 }  // namespace flowslide

@@ -28,7 +28,7 @@ std::string peaks_head() {
                      {"normal_stress", "sigma", "Pa", "normal stress at the peak", "compression positive", {}}});
 }
 
-/// A line of peaks.dat: where tau of the first sample is largest; none if it has no peak.
+/// A line of peaks.dat: name of the slide, time (s), tau and sigma (Pa) at the peak of tau. Empty if there is no peak.
 std::string peak_line(const std::string& name, const Result& result) {
   const double time = metric_of(result, "time_at_peak"), shear = metric_of(result, "peak_shear_stress");
   const double normal = metric_of(result, "normal_stress_at_peak");

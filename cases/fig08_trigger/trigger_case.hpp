@@ -4,12 +4,12 @@
 
 namespace flowslide {
 
-/// Figs. 8, 9 and 10: a slope that is loaded at a constant rate until it liquefies, by RD and by RI.
+/// Figs. 8, 9 and 10: a slope that is loaded at a constant rate until it liquefies, with RD and with RI.
 class TriggerCase : public SlideCase {
  public:
   TriggerCase();
-  /// Adds what Fig. 9B draws, <slide>_friction_band.dat and steady_friction.dat, the peaks that Fig. 8 marks,
-  /// peaks.dat, and the legend of Fig. 10.
+  /// Also writes <slide>_friction_band.dat and steady_friction.dat for Fig. 9B, peaks.dat for the marks in Fig. 8, and
+  /// the legend of Fig. 10.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

@@ -17,7 +17,7 @@ std::vector<Metric> after_pulse(const SlideOutcome& outcome) {
   const Series& over_time = outcome.measures.over_time;
   const auto* pulse = std::get_if<SinePulse>(&settings.loading);
   const double after = pulse != nullptr ? pulse->duration : nothing;
-  const double end = end_of(over_time), middle = end - 0.5 * velocity_window;  // of the last window
+  const double end = end_of(over_time), middle = end - 0.5 * velocity_window;  // centre of the last window
   const double first = velocity_at(over_time, after), last = velocity_at(over_time, middle);
   const double free = initial_shear_stress(settings.slope) / mass_per_area(settings.slope);
   const double share = middle > after ? (last - first) / (middle - after) / free : nothing;

@@ -6,10 +6,10 @@
 
 namespace flowslide {
 
-/// The numbers of one slide beside those of its runout (see pulse_runout). One that it does not have is not a number:
-/// what is said of the time after the pulse needs a pulse as loading.
-///   final_velocity        m/s, mean over the last tenth of a second
-///   acceleration_share    of the mean acceleration after the pulse in tau_d/m, that of a slope without resistance
+/// Metrics of one slide beside those of pulse_runout. NaN for a metric that the slide does not have. Metrics about the
+/// time after the pulse need a pulse as loading.
+///   final_velocity        m/s, mean of v over the last 0.1 s
+///   acceleration_share    1, mean acceleration after the pulse / (tau_0/m), that of a slope without resistance
 ///   liquefied_shear_stress, liquefied_normal_stress   Pa, mean tau and sigma after the pulse
 std::vector<Metric> after_pulse(const SlideOutcome& outcome);
 

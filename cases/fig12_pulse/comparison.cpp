@@ -11,17 +11,17 @@
 namespace flowslide {
 namespace {
 
-constexpr double apart = 0.1;       ///< share of RI's velocity by which RD's is visibly another
-constexpr double interval = 0.05;   ///< m, of x: velocities are means over it
-constexpr double common_place = 2.0;  ///< m, where the amplitudes are compared: beyond the pulse for none of them
+constexpr double apart = 0.1;       ///< relative difference of velocity at which RD counts as behind RI
+constexpr double interval = 0.05;   ///< m, interval of x over which velocities are means
+constexpr double common_place = 2.0;  ///< m, x at which the amplitudes are compared; every pulse still acts there
 
-constexpr double compared = 3e3;  ///< Pa, the amplitude at which the schemes are compared
+constexpr double compared = 3e3;  ///< Pa, amplitude at which the schemes are compared
 
 double velocity_near(const Series& over_displacement, double place) {
   return mean_over(over_displacement, "velocity", place - 0.5 * interval, place + 0.5 * interval);
 }
 
-/// The slides of a scheme by the amplitude of their pulse, Pa.
+/// The slides of a scheme, by increasing amplitude of their pulse (Pa).
 std::vector<SweepMember> amplitudes_of(const Ensembles& slides, const std::string& scheme) {
   return sweep_of(slides, scheme + "_", "amplitude");
 }

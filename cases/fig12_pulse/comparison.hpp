@@ -7,20 +7,20 @@
 
 namespace flowslide {
 
-/// Adds to `metrics` what is said of several slides, named "RD_..." and "RI_...", by the amplitude of their pulse,
-/// where those needed have been run:
-///   parting_velocity.<statistic>  m/s, of the pairs by RI and RD on one sample at 3 kPa (see parting_velocity)
-///   RD_normal_stress_over_RI      ratio of the medians of the normal stress after the pulse at 3 kPa
-///   acceleration_gap              lowest acceleration_share of RI less the highest of RD at 3 kPa
-///   RI_growth                     least ratio of the medians of v at equal x of neighbouring amplitudes, by RI
-///   RD_spread_over_amplitudes     m/s, highest less lowest of the median largest velocities, by RD
-///   RD_spread_over_seeds          m/s, mean over the amplitudes of highest less lowest largest velocity
-///   RD_spread_ratio               the former over the latter
+/// Compares slides named "RD_..." and "RI_..." by the amplitude of their pulse. Adds these metrics to `metrics` if the
+/// slides that they need have results:
+///   parting_velocity.<statistic>  m/s, over the pairs of RD and RI on the same sample at 3 kPa (see parting_velocity)
+///   RD_normal_stress_over_RI      3 kPa: median normal stress after the pulse, RD / RI
+///   acceleration_gap              3 kPa: lowest acceleration_share of RI - highest of RD
+///   RI_growth                     RI: median v at x = 2 m / that of the next smaller amplitude, smallest ratio
+///   RD_spread_over_amplitudes     m/s, RD: highest - lowest of the median largest velocities of the amplitudes
+///   RD_spread_over_seeds          m/s, RD: highest - lowest largest velocity of the replicates, mean over amplitudes
+///   RD_spread_ratio               RD_spread_over_amplitudes / RD_spread_over_seeds
 void compare_schemes(const Ensembles& slides, std::map<std::string, double>& metrics);
 
-/// From windows over the displacement: the velocity by RI up to which RD follows: v(x) at the last x where RD's is not
-/// below it by more than a tenth, m/s. The largest v of RI that RD has reached the place of, if they never part; NaN if
-/// one of them stops within 0.1 m.
+/// The velocity of RI at which RD falls behind, m/s: v(x) of RI at the last x where the velocity of RD is at least 0.9
+/// of it. If RD never falls behind, x is the end of the shorter record. The arguments are means over the
+/// displacement (see RunMeasures). NaN if one of the records ends within 0.1 m.
 double parting_velocity(const Series& rd, const Series& ri);
 
 }  // namespace flowslide

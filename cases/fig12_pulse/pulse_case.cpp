@@ -13,7 +13,7 @@
 
 namespace flowslide {
 namespace {
-constexpr int windows = 30;  ///< of displacement, for what jumps
+constexpr int windows = 30;  ///< windows of displacement for quantities that jump
 }
 
 std::unique_ptr<Case> make_case() { return std::make_unique<PulseCase>(); }

@@ -4,12 +4,13 @@
 
 namespace flowslide {
 
-/// Figs. 11 and 12: a slope that a sine pulse of its driving stress sets off, by RD and by RI, at several amplitudes.
+/// Figs. 11 and 12: a slope that is triggered by a sine pulse of the driving stress, with RD and with RI, for several
+/// amplitudes.
 class PulseCase : public SlideCase {
  public:
   PulseCase();
-  /// Adds <slide>_windows.dat, the replicates over x in wider windows, for the pore pressure: it jumps with every jam;
-  /// and the legend, the amplitude of each slide.
+  /// Also writes the amplitude of each slide as the legend, and <slide>_windows.dat, the replicates over x in wider
+  /// windows. The wider windows are for the pore pressure, which jumps whenever the grains jam.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

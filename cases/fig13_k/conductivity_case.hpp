@@ -4,13 +4,13 @@
 
 namespace flowslide {
 
-/// Fig. 13: runout after a sine pulse of the driving stress, by RD and by RI, at several hydraulic conductivities.
-/// Slides are named "<scheme>_...", such as "RI_4e-5"; k is their parameter hydraulic_conductivity.
+/// Fig. 13: runout after a sine pulse of the driving stress, with RD and with RI, for several hydraulic conductivities.
+/// Slides are named "<scheme>_...", such as "RI_4e-5". k is their parameter hydraulic_conductivity.
 class ConductivityCase : public SlideCase {
  public:
   ConductivityCase();
-  /// And <slide>_coarse.dat, see coarse_band, and sweep.dat: velocity and runout over k,
-  /// and critical.dat: see critical_series; and the legend, k of each slide.
+  /// Also writes <slide>_coarse.dat (see coarse_band), sweep.dat (velocity and runout over k), critical.dat (see
+  /// critical_series), and k of each slide as the legend.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

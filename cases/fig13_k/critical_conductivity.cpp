@@ -10,7 +10,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double lost_share = 0.5;  ///< of v at k = 0, without which a slope is as near to standing as to sliding on
+constexpr double lost_share = 0.5;  ///< limit of |v/v(k = 0) - 1|: half way between sliding as at k = 0 and standing
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
@@ -19,7 +19,8 @@ std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
   return parameters;
 }
 
-/// The sweep of one sample, as ensembles of one; it lives as long as `kept`.
+/// The sweep of one sample, as ensembles of one result. The ensembles are stored in `kept`, which must outlive the
+/// sweep.
 std::vector<SweepMember> sweep_on_sample(const std::vector<SweepMember>& sweep, const Result& first,
                                          std::list<Ensemble>& kept) {
   std::vector<SweepMember> own;
@@ -34,7 +35,7 @@ std::vector<SweepMember> sweep_over_k(const Ensembles& slides, const char* prefi
   return sweep_of(slides, prefix, "hydraulic_conductivity");
 }
 
-/// |v/v at k = 0 - 1| at the end of the pulse, of the medians; not numbers without k = 0.
+/// |v/v(k = 0) - 1| for the median velocities at the end of the pulse; NaN without k = 0.
 std::vector<double> changes(const std::vector<SweepMember>& sweep) {
   std::vector<double> all = medians_along(sweep, "velocity_after_pulse");
   const double first = sweep.empty() || sweep.front().parameter != 0.0 ? nothing : all.front();

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* loosest = "790";
 constexpr const char* void_ratios[] = {loosest, "771", "765", "751"};
 
-/// Of a metric of the slides "<scheme>_e0_<name>"; not numbers if there are none.
+/// Statistics of a metric of the slides "<scheme>_e0_<name>"; NaN if there are none.
 Statistics statistics(const Ensembles& slides, const std::string& scheme, const std::string& name,
                       const std::string& metric) {
   const auto found = slides.find(scheme + "_e0_" + name);

@@ -7,15 +7,16 @@
 
 namespace flowslide {
 
-/// Fig. 14: runout after a sine pulse of the driving stress, by RD and by RI, of samples of four void ratios. Slides
-/// are named "<scheme>_e0_...", such as "RI_e0_771". The void ratio that a sample has in the paper stands in its table
-/// as `paper_void_ratio`, and in the results as a parameter; a sample without that key has its own void ratio there.
+/// Fig. 14: runout after a sine pulse of the driving stress, with RD and with RI, for samples of four void ratios.
+/// Slides are named "<scheme>_e0_...", such as "RI_e0_771". The key `paper_void_ratio` of [sample.<name>] gives the
+/// void ratio of this sample in the paper; without this key it is the void ratio of the sample. Results have it as a
+/// parameter.
 class VoidRatioCase : public SlideCase {
  public:
   VoidRatioCase();
   void read(const Configuration& configuration) override;
-  /// And <slide>_coarse.dat, see coarse_band, and sweep.dat: void ratios, velocity and runout over the
-  /// paper's void ratio; and the legend, that void ratio of each slide.
+  /// Also writes <slide>_coarse.dat (see coarse_band), sweep.dat (void ratios, velocity and runout over the void ratio
+  /// of the paper), and the void ratio of the paper for each slide as the legend.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 
@@ -26,7 +27,7 @@ class VoidRatioCase : public SlideCase {
   std::vector<Metric> more_parameters(const SlidePoint& point) const override;
 
  private:
-  std::map<std::string, double> paper_void_ratios_;  ///< by the name of the sample
+  std::map<std::string, double> paper_void_ratios_;  ///< name of the sample -> void ratio in the paper
 };
 
 }  // namespace flowslide

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Strain in small and large portions: dt_G and n_accum over decades, at a rate that the sample feels.
+// Strain passed in small and large increments: dt_G and n_accum over several decades, at a rate that affects the
+// sample.
 #include <fmt/format.h>
 
 #include "experiments.hpp"
@@ -10,11 +11,11 @@ namespace flowslide {
 namespace {
 
 constexpr double inertial_number = 1e-2;
-constexpr double from = 0.005, until = 0.02;  ///< strain over which the shear stress is averaged: about its peak
+constexpr double from = 0.005, until = 0.02;  ///< range of strain for the mean shear stress: around its peak
 constexpr const char* high_rate = "rate = \"constant\"\ninertial_number = 1e-2\ninitial_velocity = \"1 cm/s\"\n";
 constexpr const char* push = "history = \"constant\"\nchange = \"15 kPa\"\n";
 
-/// Mean of the shear stress over the strain, of the sample alone at the same rate.
+/// Mean shear stress of an element test of the sample at the same rate, Pa.
 double alone(const Workshop& workshop, const PreparedSample& sample) {
   const SampleRecipe& recipe = workshop.suite().loose;
   const double rate =
@@ -22,7 +23,7 @@ double alone(const Workshop& workshop, const PreparedSample& sample) {
   return mean_shear(shear(workshop, sample.assembly, {recipe.material, 1e-5}, rate, until, 200), from);
 }
 
-/// The same of the sample under a slope, in equal steps of strain.
+/// Mean shear stress of the sample under a slope, Pa, weighted by strain.
 double coupled(const Workshop& workshop, const PreparedSample& sample, const std::string& coupling) {
   const SlideSettings settings = workshop.slide(high_rate + coupling, push, workshop.suite().slope);
   double sum = 0.0, passed = 0.0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t steps_at_rest = 3000;
 constexpr double kinetic_alarm = 1e-7;     ///< ten times the tolerance of a preparation
-constexpr double energy_tolerance = 0.05;  ///< of the work: it is a sum over looks
+constexpr double energy_tolerance = 0.05;  ///< fraction of the work, which is integrated over few looks
 
 bool overlaps(const Assembly& assembly) {
   try {

@@ -4,19 +4,21 @@
 
 namespace flowslide {
 
-/// What a code without any check would have computed at a time step, and which detectors would have raised an alarm.
+/// The result of a run without any check of the time step, and the alarms that each detector would have raised. The
+/// detectors look at the sample at regular steps.
 struct PlainRun {
   double peak = 0.0;             ///< largest shear stress, Pa
-  double largest_share = 0.0;    ///< of time_step_share, over all looks
+  double largest_share = 0.0;    ///< largest time_step_share of all looks
   bool lost = false;             ///< a grain is outside the cell, or a stress is not finite
-  bool stiffness_alarm = false;  ///< share of 1 or more at a look: see check_contact_time_step
+  bool stiffness_alarm = false;  ///< largest_share >= 1: see check_contact_time_step
   bool overlap_alarm = false;    ///< see check_assembly
-  bool rest_alarm = false;    ///< held still for 3000 steps, the sample has more than ten times the kinetic energy of
-                              ///< a prepared one
-  bool energy_alarm = false;  ///< kinetic and spring energy have grown by more than the top layer's work
+  bool rest_alarm = false;    ///< after 3000 steps at rest the kinetic number is not below ten times the tolerance of
+                              ///< a preparation
+  bool energy_alarm = false;  ///< kinetic and spring energy grew by more than the work of the top layer and 5 %
 };
 
-/// Shears a prepared sample from the linear velocity field, without a check.
+/// Shears a prepared sample from a linear velocity field to `strain`, without a check of the time step. `rate`: 1/s.
+/// `looks`: number of times that the detectors look at the sample.
 PlainRun plain_run(Engine& engine, const Assembly& sample, const EngineSettings& settings, double rate, double strain,
                    int looks);
 

@@ -32,7 +32,7 @@ double kinetic_energy(const Assembly& assembly, const Material& material) {
   return energy;
 }
 
-/// Of the spring of F = k sqrt(overlap) overlap: 2/5 F overlap.
+/// Energy of a Hertz spring, J: with F = k overlap^(3/2) it is (2/5) F overlap.
 double hertz_energy(const PairConstants& pair, double overlap) {
   return 0.4 * 4.0 / 3.0 * pair.effective_modulus * std::sqrt(pair.effective_radius * overlap) * overlap * overlap;
 }
@@ -54,7 +54,7 @@ std::vector<Look> shear(const Workshop& workshop, const Assembly& sample, const 
     seen.push_back({sheared.shear_strain(), sheared.stress()});
     workshop.border();
   }
-  sheared.assembly();  // checks it
+  sheared.assembly();  // throws if the last state is not valid
   return seen;
 }
 
@@ -96,7 +96,7 @@ SlideState slide_on_grains(const Workshop& workshop, const Assembly& sample, con
     if (observe) observe(slide);
     workshop.border();
   }
-  grains.assembly();  // checks it
+  grains.assembly();  // throws if the last state is not valid
   return slide.state();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Few grains, and single ones that move fast.
+// Scenes with few grains, and with single grains that move fast.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,10 +25,10 @@ Assembly cell_with(const std::vector<Vector3>& positions) {
   return grains;
 }
 
-/// Speed of separation over speed of approach of two grains in a line.
+/// Coefficient of restitution: speed of separation / speed of approach in a central impact of two grains.
 double restitution_of(const Workshop& workshop, double speed, double time_step) {
   Assembly pair = cell_with({{0.0, 0.02, 0.02}, {0.0062, 0.02, 0.02}});
-  pair.position[0].x() = 0.0391;  // through the periodic face
+  pair.position[0].x() = 0.0391;  // the grains collide across the periodic face
   pair.position[1].x() = 0.0054;
   pair.velocity[0].x() = 0.5 * speed;
   pair.velocity[1].x() = -0.5 * speed;
@@ -51,7 +51,7 @@ std::size_t rattler_of(const Assembly& sample) {
   return static_cast<std::size_t>(std::min_element(contacts.begin(), contacts.end()) - contacts.begin());
 }
 
-/// A sample whose mobile grains move at random, up to `speed` (m/s) along each axis.
+/// The sample with random velocities of its mobile grains, up to `speed` (m/s) along each axis.
 Assembly kicked(Assembly sample, double speed) {
   std::mt19937_64 random(1);
   for (std::size_t i = 0; i < sample.size(); ++i)
@@ -95,7 +95,7 @@ SceneRecord one_grain_scene(const Workshop& workshop) {
           if (before * now < 0.0) ++bounces;
           before = now;
         }
-        engine->run(1000);  // off the plane
+        engine->run(1000);  // the grain leaves the plane
         return std::abs(engine->save().velocity[0].z());
       }));
   record.trials.push_back(attempt("stress of a cell without contacts, Pa", {0.0, 0.0, 0.0, 0.0}, [&] {
@@ -156,7 +156,7 @@ SceneRecord pair_list_scene(const Workshop& workshop) {
       engine.run(2000);
       return engine.save();
     };
-    const Assembly right = after(0.0);  // a new list as often as can be
+    const Assembly right = after(0.0);  // the pair list is built as often as possible
     for (const double allowance : {1e-3, 1e-2, 1e-1})
       record.trials.push_back(
           attempt(fmt::format("{} m/s, a list good for {} diameters: distance after 2000 steps, m", speed, allowance),

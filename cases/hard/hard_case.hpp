@@ -5,7 +5,7 @@
 
 namespace flowslide {
 
-/// Scenes that break codes of this kind, one point each, judged against theory or a refined run.
+/// Scenes that are hard for codes of this kind, each compared with theory or with a refined run. A scene is one point.
 class HardCase : public Case {
  public:
   CaseDescription description() const override;
@@ -13,13 +13,14 @@ class HardCase : public Case {
   std::vector<Point> points() const override;
   std::vector<std::string> tables() const override { return {"trials"}; }
   void print_plan(const Point& point, std::ostream& out) const override;
-  /// Writes <scene>.h5 and .dat, its trials as lines of Markdown in <scene>.md, and <scene>_details.dat if it has any.
+  /// Writes <scene>.h5 and <scene>.dat, the trials as rows of a Markdown table in <scene>.md, and <scene>_details.dat
+  /// if the scene has such a table.
   void run(const Point& point, const PointRun& run) const override;
-  /// "<scene>.accurate", ".stable", ".refused", ".silently_wrong", ".needlessly_refused", ".failures" (the last two
-  /// together), and what a scene adds.
+  /// Number of trials by outcome: "<scene>.accurate", ".stable", ".refused", ".silently_wrong", ".needlessly_refused",
+  /// and ".failures", the sum of the last two. Also the metrics of the scene itself.
   std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                         const std::vector<std::string>& points) const override;
-  /// table.md, one line per scene, and trials.md, one line per trial.
+  /// Writes table.md with one line per scene, and trials.md with one line per trial.
   void finish(const OutputFolder& output) const override;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A sample without strength, for long, and back to strength.
+// A sample that has lost its strength for a long time, or regains it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ SceneRecord flow_scene(const Workshop& workshop) {
   const Assembly sample = expanded(workshop, 0.03);
   SceneRecord record;
   for (const double rate : {5.0, 20.0}) {
-    // Steady flow of spheres with mu = 0.5: tau/sigma of 0.3 to 0.6 from quasi-static to collisional flow.
+    // tau/sigma of steady flow of spheres with mu = 0.5 is 0.3 to 0.6, from quasi-static to collisional flow.
     record.trials.push_back(
         attempt(fmt::format("tau/sigma at {} /s over 200 to 1000 %", rate), {0.4, 0.1, 0.2, 0.7}, [&] {
           const auto looks = shear(workshop, sample, {material, 4e-6}, rate, strain, 2000);
@@ -27,12 +27,12 @@ SceneRecord flow_scene(const Workshop& workshop) {
 }
 
 SceneRecord resolidification_scene(const Workshop& workshop) {
-  // A dense sample under a pulse: it slides, dilates (p_w < 0), jams, and v swings through zero.
+  // A dense sample under a pulse slides, dilates (p_w < 0) and jams; v changes its sign.
   const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
   const SlopeProperties& slope = workshop.suite().slope;
   struct Course {
     double stress = 0.0;           // mean tau after the pulse, Pa
-    double lowest_pressure = 0.0;  // least p_w, Pa
+    double lowest_pressure = 0.0;  // lowest p_w, Pa
     double lowest_velocity = 0.0;  // m/s
   };
   const auto follow = [&](const std::string& coupling) {
@@ -70,7 +70,7 @@ SceneRecord resolidification_scene(const Workshop& workshop) {
 }
 
 SceneRecord no_stress_scene(const Workshop& workshop) {
-  // Expanded until next to nothing is left, then sheared on: stresses fade, and no rule divides by them.
+  // The sample is expanded until sigma is nearly 0, then sheared. The stresses vanish; no rule may divide by them.
   const Material& material = workshop.suite().material;
   const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
   const auto engine = workshop.engine();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pulses that are too small, too large or too short, and slopes that are level or steep.
+// Pulses that are very small, very large or very short, and slopes from level to steep.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ std::string pulse(double amplitude, double duration) {
   return fmt::format("history = \"pulse\"\namplitude = \"{} Pa\"\nduration = \"{} s\"\n", amplitude, duration);
 }
 
-/// Sliding velocity when a pulse has ended, m/s.
+/// Sliding velocity at the end of a pulse, m/s. `amplitude`: Pa; `duration`: s.
 double velocity_after(const Workshop& workshop, const Assembly& sample, const std::string& coupling, double amplitude,
                       double duration) {
   const SlideSettings settings = workshop.slide(coupling, pulse(amplitude, duration), workshop.suite().slope);
@@ -27,7 +27,7 @@ double velocity_after(const Workshop& workshop, const Assembly& sample, const st
 SceneRecord pulse_scene(const Workshop& workshop) {
   const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
   const double mass = mass_per_area(workshop.suite().slope);
-  const auto impulse = [&](double amplitude, double duration) {  // v of a slope without resistance
+  const auto impulse = [&](double amplitude, double duration) {  // v after the pulse without resistance
     return 2.0 / std::numbers::pi * amplitude * duration / mass;
   };
   SceneRecord record;
@@ -41,7 +41,7 @@ SceneRecord pulse_scene(const Workshop& workshop) {
     return velocity_after(workshop, sample, "local_time_step = \"4e-6 s\"\n", 30e3, 0.05);
   }));
   for (const int exchanges : {1, 2, 5, 10, 100}) {
-    // The sample bears what it can for a moment: the slope gets the impulse within that of the sample's strength.
+    // Expected is the impulse of the pulse. The strength of the sample takes a small part of it.
     const double duration = exchanges * 1e-4, amplitude = 3e5, free = impulse(amplitude, duration);
     record.trials.push_back(attempt(fmt::format("A = 300 kPa, T = {} exchanges", exchanges),
                                     relative(free, 0.05, 0.2, exchanges < 10 ? "pulse" : ""),
@@ -63,7 +63,8 @@ SceneRecord angle_scene(const Workshop& workshop) {
       const SlideSettings settings = workshop.slide("", "", slope);
       return slide_on_grains(workshop, sample, settings, {.end_time = 0.2}, false).sliding.displacement;
     };
-    // In balance a slope stands: a millionth of the layer is what the servo's residual may move it.
+    // A slope in balance stands. The stress residual of the servo may move it by about 1e-6 of the thickness of the
+    // layer.
     record.trials.push_back(attempt(fmt::format("{} degrees", degrees),
                                     {0.0, 2e-7, -2e-5, 2e-5, degrees > 16.0 ? "sample" : ""}, displacement));
   }

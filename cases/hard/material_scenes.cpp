@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fast shear, and grains of other sizes, laws and numbers than the paper's.
+// Fast shear, and grains whose sizes, contact parameters or number differ from those of the paper.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,9 +11,10 @@ namespace flowslide {
 namespace {
 
 constexpr int looks = 200;
-constexpr double strain = 0.006;  // before chaos sets in
+constexpr double strain = 0.006;  // up to this strain, trajectories have not diverged by rounding
 
-/// Largest shear stress of a sample of `recipe` at 0.2 and 0.45 Rayleigh times against 0.1.
+/// Adds two trials: the largest shear stress of a sample at time steps of 0.2 and 0.45 Rayleigh times. The right value
+/// is that at 0.1 Rayleigh times.
 void add_peak(const Workshop& workshop, SampleRecipe recipe, const std::string& setting, const std::string& refusal,
               SceneRecord& record) {
   double right = 0.0;
@@ -47,7 +48,7 @@ SceneRecord fast_shear_scene(const Workshop& workshop) {
   SceneRecord record;
   double before = 0.0, slower = 0.0;
   for (const double rate : {100.0, 300.0, 1000.0}) {
-    // Rigid grains in a constant volume: stresses grow with the square of the rate (Bagnold 1954), less as they yield.
+    // At constant volume, stresses of rigid grains grow with the square of the rate (Bagnold 1954); soft grains less.
     const double growth = before > 0.0 ? before * std::pow(rate / slower, 2) : 0.0;
     double right = 0.0;
     const SceneTrial refined = attempt(fmt::format("{} /s, dt_L = 2e-06 s, by the square of the rate, Pa", rate),

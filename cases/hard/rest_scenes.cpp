@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Nothing happens, for long.
+// A sample at rest for a long time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ SceneRecord rest_scene(const Workshop& workshop) {
       sample.strain({{0.0, 0.0}, steps, 1e-5});
       workshop.border();
       const Assembly now = sample.assembly();
-      if (look == 0) {  // what is left of the preparation has died away
+      if (look == 0) {  // residual motion of the preparation has decayed
         first = sample.stress();
         first_energy = energy_of(now, recipe.material);
       }

@@ -60,7 +60,7 @@ std::vector<Scene> grain_scenes() {
           {"rest", "10 million steps at rest", "no drift of stress (0.1 %) nor of energy (0.1 %)", 40, rest_scene}};
 }
 
-constexpr double quick_grains = 6 * 6 * 7;  ///< that the seconds above are of
+constexpr double quick_grains = 6 * 6 * 7;  ///< number of grains for the predicted seconds above
 
 }  // namespace
 
@@ -68,7 +68,7 @@ std::vector<Scene> scenes_of(const Suite& suite) {
   std::vector<Scene> all;
   for (const auto& part : {time_step_scenes(), coupling_scenes(), liquefaction_scenes(), grain_scenes()})
     all.insert(all.end(), part.begin(), part.end());
-  // The few that have no sample take seconds anyway.
+  // Also scales the few scenes without a sample; they take only seconds.
   const auto& counts = suite.loose.packing.counts;
   const double grains = static_cast<double>(counts[0]) * counts[1] * counts[2];
   for (Scene& scene : all) scene.seconds *= std::max(1.0, grains / quick_grains);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scenes of the suite. Each is one function that tries several settings and judges each of them.
+// The scenes of the suite. Each is one function that runs several settings and judges each of them.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,10 +10,10 @@
 namespace flowslide {
 
 struct Scene {
-  std::string name;      ///< of its point and claim
-  std::string title;     ///< what is done
-  std::string right;     ///< what is right, and the origin of the tolerance
-  double seconds = 1.0;  ///< predicted, on one core, with samples in the cache
+  std::string name;      ///< name of its point and its claim
+  std::string title;     ///< what the scene does
+  std::string right;     ///< the right value, and the tolerance with its origin
+  double seconds = 1.0;  ///< predicted processor time on one core if the samples are in the cache, s
   SceneRecord (*run)(const Workshop&);
 };
 
@@ -48,7 +48,7 @@ SceneRecord pair_list_scene(const Workshop& workshop);
 // rest_scenes.cpp
 SceneRecord rest_scene(const Workshop& workshop);
 
-/// All scenes that a suite has, in the order of the table.
+/// All scenes of a suite, in the order of the table.
 std::vector<Scene> scenes_of(const Suite& suite);
 
 }  // namespace flowslide

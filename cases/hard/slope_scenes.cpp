@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The slope and its drainage across their edges of stability, on samples with an exact answer and on grains.
+// Sliding and drainage below and above their limits of stability, on samples with an exact solution and on grains.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace flowslide {
 namespace {
 
 constexpr const char* told_at_once = "passing = \"whole_increment\"\nrate = \"global\"\n";
-constexpr double shear_modulus = 15e6, oedometric_modulus = 40e6;  // Pa, of the elastic sample
+constexpr double shear_modulus = 15e6, oedometric_modulus = 40e6;  // Pa, moduli of the elastic sample
 
 ElasticSample elastic_sample(const SlopeProperties& slope, double normal_share) {
   ElasticProperties properties;
@@ -24,7 +24,7 @@ ElasticSample elastic_sample(const SlopeProperties& slope, double normal_share) 
   return ElasticSample(properties);
 }
 
-/// p_w after 0.1 s over p_w at the start, 4 % of sigma_0, on the elastic sample.
+/// p_w after 0.1 s / p_w at the start, on the elastic sample. At the start p_w is 4 % of sigma_0.
 double pressure_left(const Workshop& workshop, double conductivity, double time_step, const std::string& scheme,
                      double bound) {
   SlopeProperties slope = workshop.suite().slope;
@@ -44,7 +44,7 @@ double pressure_left(const Workshop& workshop, double conductivity, double time_
 }  // namespace
 
 SceneRecord sliding_edge_scene(const Workshop& workshop) {
-  constexpr double change = 100.0;  // Pa, applied at once: the slope swings by twice the static displacement
+  constexpr double change = 100.0;  // Pa, applied at once: x oscillates up to twice the static displacement
   const SlopeProperties& slope = workshop.suite().slope;
   const double edge = sliding_time_step_limit(slope, shear_modulus);
   const double right = 2.0 * change * slope.liquefiable_thickness / shear_modulus;
@@ -90,7 +90,7 @@ SceneRecord drainage_edge_scene(const Workshop& workshop) {
 }
 
 SceneRecord drained_grains_scene(const Workshop& workshop) {
-  // Fully drained, the slope stands: sigma stays near sigma_0 and tau at tau_0, whatever dt_G.
+  // Without excess pore pressure the slope stands: sigma stays near sigma_0 and tau near tau_0 for every dt_G.
   const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
   SceneRecord record;
   for (const double conductivity : {0.0, 1e-4, 1e-3, 1e-2})

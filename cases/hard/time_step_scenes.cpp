@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The local time step: over the edge of stability, with the stiffness of the grains, and while the stress rises.
+// The local time step: above its limit of stability, for grains of different stiffness, and while the stress rises.
 #include <fmt/format.h>
 
 #include <array>
@@ -14,13 +14,13 @@
 namespace flowslide {
 namespace {
 
-constexpr const char* time_step = "time step";  ///< in what refuses one
+constexpr const char* time_step = "time step";  ///< text of every message that refuses a time step
 constexpr const char* too_long = "too long for contacts";
 constexpr int looks = 40;
-constexpr double strain = 0.01;         ///< about the peak of loose samples, before chaos sets in
-constexpr double small_strain = 0.006;  ///< for samples of any stiffness
-constexpr double refined = 0.1;         ///< Rayleigh times: 1.6e-6 s
-constexpr double wrong = 0.05;          ///< of the peak: no seed, rate or rolling parameter hides it
+constexpr double strain = 0.01;         ///< about the peak of loose samples; trajectories have not diverged by rounding
+constexpr double small_strain = 0.006;  ///< the same for samples of any stiffness
+constexpr double refined = 0.1;         ///< reference time step in Rayleigh times: 1.6e-6 s
+constexpr double wrong = 0.05;          ///< relative error of the peak that no seed, rate or rolling parameter explains
 constexpr std::array shares{0.1, 0.3, 0.5, 0.6, 0.64, 0.68, 0.72, 0.76, 0.8, 0.84, 0.9, 1.0, 1.25, 1.5, 2.0};
 
 Series empty_scan() {
@@ -35,7 +35,7 @@ Series empty_scan() {
   return scan;
 }
 
-/// Misses and false alarms of a detector, over a scan.
+/// Adds the number of misses and of false alarms of a detector in a scan.
 void count_alarms(const Series& scan, const std::string& detector, std::vector<Metric>& metrics) {
   const auto &alarm = scan.column("by_" + detector).values, &is_wrong = scan.column("is_wrong").values;
   double missed = 0.0, needless = 0.0;
@@ -107,7 +107,7 @@ SceneRecord stiffness_scene(const Workshop& workshop) {
 }
 
 SceneRecord dilation_scene(const Workshop& workshop) {
-  constexpr double last = 0.12, from = 0.08;  // strain; the mean is over the last third
+  constexpr double last = 0.12, from = 0.08;  // strain at the end, and strain from which the stress is averaged
   const Material& material = workshop.suite().material;
   const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
   const auto strength = [&](double step) {

@@ -18,10 +18,10 @@ namespace {
 Outcome judged(const Yardstick& yardstick, double measured) {
   if (std::abs(measured - yardstick.right) <= yardstick.accurate) return Outcome::accurate;
   if (measured >= yardstick.lowest && measured <= yardstick.highest) return Outcome::stable;
-  return Outcome::silently_wrong;  // also what is not a number
+  return Outcome::silently_wrong;  // includes NaN
 }
 
-/// An error as one cell of a table.
+/// The message of an error as one cell of a Markdown table.
 std::string as_cell(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
@@ -54,7 +54,7 @@ SceneTrial attempt(const std::string& setting, const Yardstick& yardstick, const
     trial.measured = measure();
     trial.outcome = judged(yardstick, trial.measured);
     if (!std::isfinite(trial.measured)) trial.reason = "the number is not finite";
-    if (!std::isfinite(trial.measured)) trial.measured = 0.0;  // a record holds finite numbers alone
+    if (!std::isfinite(trial.measured)) trial.measured = 0.0;  // a result accepts finite numbers only
     return trial;
   } catch (const NumericalFailure& failure) {
     return refuse(trial, failure.what());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a scene consists of, and how each part of it is judged.
+// The trials of a scene, and how each of them is judged.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,58 +9,59 @@
 
 namespace flowslide {
 
-/// What became of one trial, from best to worst. The last two are failures of the suite.
+/// The outcome of one trial, from best to worst. The last two are failures.
 enum class Outcome {
-  accurate,        ///< within the tolerance of what is right
-  stable,          ///< not accurate, but within the bounds that theory or the order of the scheme gives
-  refused,         ///< ended by an error that says what is wrong, where the trial is one that may be refused
-  silently_wrong,  ///< a number outside the bounds, or none, without an error
-  needless         ///< refused, although it must run
+  accurate,        ///< the value is within the tolerance of the right value
+  stable,          ///< not accurate, but within the bounds given by theory or by the order of the scheme
+  refused,         ///< ended by the error that is allowed for this trial
+  silently_wrong,  ///< the value is outside the bounds or not finite, without an error
+  needless         ///< ended by an error that is not allowed for this trial
 };
 
 /// "accurate", ..., "refused needlessly".
 std::string name_of(Outcome outcome);
 
-/// What is right for one trial. All in the unit of what is measured.
+/// The right value of one trial with its tolerances, in the unit of the measured value.
 struct Yardstick {
-  double right = 0.0;                  ///< by theory, or of a refined run
-  double accurate = 0.0;               ///< largest distance from it that counts as accurate
-  double lowest = 0.0, highest = 0.0;  ///< bounds that a stable run keeps; both inclusive
-  std::string refusal = {};            ///< a part of the error that may end the trial instead; empty: it must run
+  double right = 0.0;                  ///< the right value, by theory or from a refined run
+  double accurate = 0.0;               ///< largest difference from `right` that counts as accurate
+  double lowest = 0.0, highest = 0.0;  ///< bounds of a stable run, both inclusive
+  std::string refusal = {};            ///< part of the message of the error that is allowed; empty: the trial must run
 };
 
-/// Accurate within `accurate`, stable within `stable`, both as shares of `right`.
+/// The tolerances as fractions of |right|: accurate within `accurate`, stable within `stable`.
 Yardstick relative(double right, double accurate, double stable, const std::string& refusal = {});
 
 /// One run of a scene.
 struct SceneTrial {
   std::string setting;  ///< "dt_L = 1.5e-5 s"
   Yardstick yardstick;
-  double measured = 0.0;  ///< 0 if refused
+  double measured = 0.0;  ///< 0 if refused or not finite
   Outcome outcome = Outcome::silently_wrong;
-  std::string reason;  ///< why it was refused: the error
+  std::string reason;  ///< message of the error, or that the value is not finite; else empty
 };
 
-/// Measures, and judges: errors of this project (NumericalFailure, ConfigurationError, EngineError and
-/// std::invalid_argument) are refusals, but one for another reason than expected counts as needless. Anything else
-/// passes through: the program ends by it.
+/// Calls `measure` and judges its value. NumericalFailure, ConfigurationError, EngineError and std::invalid_argument
+/// end the trial: with the outcome `refused` if the message contains the allowed text, otherwise `needless`. Other
+/// exceptions end the program.
 SceneTrial attempt(const std::string& setting, const Yardstick& yardstick, const std::function<double()>& measure);
 
-/// What came out of a scene.
+/// The record of a scene.
 struct SceneRecord {
   std::vector<SceneTrial> trials;
-  std::vector<Metric> metrics = {};  ///< beside the counts of outcomes
-  Series details = {};               ///< a table of its own, if it has columns
+  std::vector<Metric> metrics = {};  ///< further metrics, beside the number of trials by outcome
+  Series details = {};               ///< a further table; without columns: none
 };
 
-/// How many trials ended so.
+/// Number of trials with this outcome.
 int count_of(const std::vector<SceneTrial>& trials, Outcome outcome);
 
-/// "stable and accurate", "stable", "refused", several of them with their counts, or "SILENTLY WRONG".
+/// "stable and accurate" if all trials are accurate; otherwise each outcome with its number of trials, such as
+/// "stable (2), refused (1)".
 std::string verdict_of(const std::vector<SceneTrial>& trials);
 
-/// The trials as numbers: columns right, measured, accurate, lowest, highest and outcome (0 to 4, in the order of
-/// Outcome); the axis counts trials from 1.
+/// The trials as numbers. Columns: right, measured, accurate, lowest, highest and outcome (0 to 4, in the order of
+/// Outcome). The axis is the number of the trial, from 1.
 Series series_of(const std::vector<SceneTrial>& trials);
 
 /// Rows of a Markdown table, one per trial: scene, setting, right, measured, outcome, reason.

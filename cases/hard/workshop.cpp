@@ -10,23 +10,23 @@
 namespace flowslide {
 namespace {
 
-/// Room between the seeds of two samples for packings that collapse.
+/// Distance between the seeds of two samples. It leaves room for packings that collapse.
 constexpr std::uint64_t seeds_per_sample = 1000;
-/// Any void ratio will do: a search that takes its first sample at rest.
+/// A range so wide that the search accepts the first sample that comes to rest.
 constexpr VoidRatioTarget any_void_ratio{0.775, 0.22, 10};
 
 GrainScale grain_scale(const SampleRecipe& recipe) {
   return {lattice_packing(recipe.packing).mean_diameter(), recipe.material.density};
 }
 
-/// The recipe that a table [sample.<name>] is for.
+/// The recipe of the suite that the table [sample.<name>] sets.
 SampleRecipe& recipe_named(Suite& suite, const Configuration& configuration, const std::string& name) {
   if (name == "loose") return suite.loose;
   if (name == "dense") return suite.dense;
-  configuration.refuse("sample." + name, "is no sample of these scenes", "leave it out, or call it loose or dense");
+  configuration.refuse("sample." + name, "is not a sample of these scenes", "remove it, or name it loose or dense");
 }
 
-/// Both samples are needed, and no other.
+/// Throws ConfigurationError unless both samples are there. recipe_named refuses any other sample.
 void require_samples(const Configuration& configuration) {
   for (const char* name : {"loose", "dense"})
     if (!configuration.has(std::string("sample.") + name))
@@ -60,7 +60,7 @@ Suite Suite::read(const Configuration& configuration) {
       configuration.refuse("suite.large_lattice", "a lattice has three counts", "write it as [41, 41, 42]");
     for (std::size_t axis = 0; axis < 3; ++axis) suite.large_lattice[axis] = static_cast<int>(counts[axis]);
   }
-  suite.configuration = configuration;  // all that has been read can be read again
+  suite.configuration = configuration;  // a copy at this stage knows all keys read above
   return suite;
 }
 

@@ -15,40 +15,41 @@
 
 namespace flowslide {
 
-/// What case.toml says of the suite.
+/// The settings of the suite, from its case.toml.
 struct Suite {
-  std::optional<Configuration> configuration;  ///< all of it, for scenes that go through the door of a user
-  std::vector<InputTable> inputs;              ///< tables that it names
+  std::optional<Configuration> configuration;  ///< the whole configuration, for scenes that read settings like a user
+  std::vector<InputTable> inputs;              ///< tables read from files that the configuration names
   std::string engine;
   std::int64_t seed = 1;
   SlopeProperties slope;
   Material material;
   SampleRecipe loose, dense;  ///< from [sample.loose] and [sample.dense]
   bool allow_uneven = false;  ///< see SampleSpecification
-  std::int64_t seeds = 3;     ///< samples of each kind where a scene needs several
-  double shear_rate = 0.5;    ///< quasi-static, 1/s
-  std::int64_t rest_steps = 10'000'000;
-  std::array<int, 3> large_lattice{};  ///< of the scene with many grains; empty counts leave it out
+  std::int64_t seeds = 3;     ///< number of samples in scenes that need several
+  double shear_rate = 0.5;    ///< quasi-static rate, 1/s
+  std::int64_t rest_steps = 10'000'000;  ///< steps of the scene at rest
+  std::array<int, 3> large_lattice{};  ///< grains along x, y, z in the scene with many grains; 0: no such scene
 
-  /// Reads the whole of it. Throws ConfigurationError.
+  /// Reads the whole configuration. Throws ConfigurationError.
   static Suite read(const Configuration& configuration);
 };
 
-/// What scenes work with: samples, engines and settings of slides.
+/// Provides samples, engines and settings of slides for the scenes.
 class Workshop {
  public:
   Workshop(const Suite& suite, const PointRun& run) : suite_(suite), run_(run) {}
 
   const Suite& suite() const { return suite_; }
-  /// `recipe` with the seed of sample number `sample`, from 0.
+  /// The recipe of the sample with number `sample` (from 0): `recipe` with its seed shifted.
   static SampleRecipe numbered(SampleRecipe recipe, std::int64_t sample);
-  /// The sample of a recipe, from the cache or prepared now; a packing that collapses is replaced by the next seed's.
+  /// The sample of a recipe, from the cache or by a preparation. If a packing collapses, the next seed is tried.
   PreparedSample prepared(const SampleRecipe& recipe) const;
   std::unique_ptr<Engine> engine() const;
-  /// Ends the run here if it is to stop (see PointCheckpoints); a scene starts anew the next time.
+  /// A checkpoint opportunity: throws if the run is to stop (see PointCheckpoints). Scenes write no checkpoints; a
+  /// stopped scene starts from its beginning.
   void border() const { run_.checkpoints.border_of_preparation([] { return false; }); }
-  /// What a user gets who writes these lines of TOML into the tables [coupling] and [loading] of a case, on this slope.
-  /// Throws ConfigurationError as for the user.
+  /// The settings that a user gets on this slope with these lines of TOML in the tables [coupling] and [loading] of a
+  /// case. Throws ConfigurationError as for a user.
   SlideSettings slide(const std::string& coupling, const std::string& loading, const SlopeProperties& slope) const;
 
  private:

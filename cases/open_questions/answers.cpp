@@ -10,9 +10,9 @@
 namespace flowslide {
 namespace {
 
-constexpr int liquefied_profiles[] = {3, 4};  ///< of profile_strains; the second is on the way to liquefaction
+constexpr int liquefied_profiles[] = {3, 4};  ///< numbers of the profiles; at profile 2 the sample still liquefies
 
-/// The values of a metric of a slide; none if it has not been run.
+/// The values of a metric of a slide; empty if the slide has no results.
 std::vector<double> values(const Ensembles& slides, const std::string& slide, const std::string& metric) {
   const auto found = slides.find(slide);
   return found == slides.end() ? std::vector<double>{} : values_of(found->second, metric);
@@ -25,7 +25,7 @@ std::vector<double> liquefied_linearities(const Ensembles& slides, const std::st
   return all;
 }
 
-/// "median (lowest to highest)", or "-" of nothing.
+/// "median (lowest to highest)" of `numbers` times `factor`; "-" if there is none.
 std::string spread(const std::vector<double>& numbers, double factor = 1.0) {
   if (numbers.empty()) return "-";
   const Statistics all = statistics_of(numbers);
@@ -38,7 +38,7 @@ std::string number_of_grains(const Ensembles& slides, const std::string& slide) 
   return grains.empty() ? "-" : fmt::format("{:.0f}", grains.front());
 }
 
-/// The slides on grains whose name starts so and that have a largest velocity, by size.
+/// The slides on DEM samples whose name begins with `pulse` and that have a largest velocity, by number of grains.
 std::vector<std::string> sizes_in(const Ensembles& slides, const std::string& pulse) {
   std::vector<std::string> names;
   for (const auto& [name, ensemble] : slides)

@@ -9,19 +9,23 @@
 
 namespace flowslide {
 
-/// The steady states of all slides named flow_*, one of each replicate.
+/// The steady states of all element tests named flow_*, one for each replicate.
 std::vector<SteadyState> steady_states(const Ensembles& slides);
 
-/// Numbers about several slides, from those that are there:
-///   least_linearity, largest_glued_linearity   R^2 of the profiles after liquefaction, of homogeneous and glued samples
-///   mu_s, mu_2, I_0, mu_deviation              the law that fits the steady states best, and what they differ from it by
-///   mu_deviation_of_glass_beads                what they differ from the published law by
+/// Adds metrics about several runs to `metrics`, from the runs that have results:
+///   least_linearity               lowest R^2 of the velocity profiles after liquefaction, homogeneous samples
+///   largest_glued_linearity       highest R^2 of these profiles, samples with glued layers
+///   mu_s, mu_2, I_0               the friction law that fits the steady states best
+///   mu_deviation                  RMS difference of the steady states from this law
+///   mu_deviation_of_glass_beads   RMS difference of the steady states from the published law of glass beads
 void add_answers(const Ensembles& slides, std::map<std::string, double>& metrics);
 
-/// All answers as a table in Markdown: a row for each question, "median (lowest to highest)" of the replicates.
+/// All answers as a table in Markdown, one row per question. A cell gives "median (lowest to highest)" of the
+/// replicates.
 std::string answers_table(const Ensembles& slides);
 
-/// One row per slide whose name starts with `pulse`, by the number of its grains: the largest velocity.
+/// Median, lowest and highest largest velocity (m/s) over the number of grains. One row per slide whose name begins
+/// with `pulse`.
 Series sizes_series(const Ensembles& slides, const std::string& pulse);
 
 }  // namespace flowslide

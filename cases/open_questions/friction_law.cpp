@@ -11,9 +11,9 @@
 namespace flowslide {
 namespace {
 
-constexpr int searched = 400;  ///< values of I_0 between the smallest and the largest I, evenly in its logarithm
+constexpr int searched = 400;  ///< number of values of I_0 in the search, evenly spaced in log I
 
-/// The best straight line mu = slow + (fast - slow) x over x = 1/(1 + I_0/I).
+/// The least-squares line mu = slow + (fast - slow) x over x = 1/(1 + I_0/I).
 FrictionLaw best_with(const std::vector<SteadyState>& states, double turning) {
   double x_mean = 0.0, mean = 0.0, xx = 0.0, xy = 0.0;
   const auto x_of = [&](const SteadyState& state) { return 1.0 / (1.0 + turning / state.inertial_number); };

@@ -13,12 +13,12 @@
 namespace flowslide {
 namespace {
 
-constexpr int law_rows = 60;  ///< of a drawn law, evenly in the logarithm of I
+constexpr int law_rows = 60;  ///< rows of a law in its table, evenly spaced in log I
 constexpr double smallest_number = 1e-4, largest_number = 3.0;
 
 Column friction_column(const std::string& name, const std::string& text) { return {name, "mu", "1", text, "", {}}; }
 
-/// The law of glass beads and the one that fits the states; without rows if that is not known.
+/// The law of glass beads and the law that fits the states. Without rows if the states do not determine a law.
 Series laws_series(const std::vector<SteadyState>& states) {
   Series laws;
   laws.axis = {"inertial_number", "I", "1", "inertial number", "", {}};
@@ -34,7 +34,7 @@ Series laws_series(const std::vector<SteadyState>& states) {
   return laws;
 }
 
-/// All states of the slides whose name starts so, a row each.
+/// The steady states of the runs whose name begins with `start`, one row each.
 Series states_series(const Ensembles& slides, const std::string& start) {
   Series states;
   states.axis = {"inertial_number", "I", "1", "inertial number", "", {}};

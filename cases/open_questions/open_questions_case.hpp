@@ -4,16 +4,17 @@
 
 namespace flowslide {
 
-/// What the paper could not do or left open. Slides and element tests of SlideCase, on samples with glued layers and on
-/// samples that are sheared homogeneously, across the periodic faces of their cell (Lees and Edwards 1972):
-///   hold_<sample>    a slope loaded at a constant rate and then held: profile of the velocity, steady friction
-///   pulse_<sample>   the same slope after a pulse: the largest velocity, also on samples of other sizes
+/// Questions that the paper could not answer or left open. Slides and element tests run on samples with glued layers
+/// and on homogeneous samples. A homogeneous sample is sheared across the periodic faces of its cell (Lees and Edwards
+/// 1972).
+///   hold_<sample>    a slope loaded at a constant rate and then held: velocity profile, steady friction
+///   pulse_<sample>   the same slope after a pulse: largest velocity, also on samples of other sizes
 ///   flow_<...>       constant-volume shear of homogeneous samples at several rates: mu(I)
-///   probe_<sample>   the first 1e-4 of strain: the shear modulus, and the natural frequencies that follow from it
+///   probe_<sample>   shear to a strain of 1e-5: shear modulus, and the natural frequencies computed from it
 class OpenQuestionsCase : public SlideCase {
  public:
   OpenQuestionsCase();
-  /// Adds mu_of_I_<density>.dat and mu_of_I_laws.dat, sizes_<sample>.dat, and all answers in table.md.
+  /// Also writes mu_of_I_<density>.dat, mu_of_I_laws.dat, sizes_<sample>.dat, and all answers as table.md.
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

@@ -14,7 +14,7 @@
 namespace flowslide {
 namespace {
 
-/// Slope of the straight line that fits y over x best.
+/// Slope of the least-squares line of y over x.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
   double x_mean = 0.0, y_mean = 0.0, xx = 0.0, xy = 0.0;
   const auto share = 1.0 / static_cast<double>(x.size());
@@ -56,7 +56,7 @@ std::vector<Metric> flow_metrics(const Series& series, double shear_rate, double
           {"steady_shear", shear, "Pa", "mean shear stress beyond a strain of 1"},
           {"steady_normal", normal, "Pa", "mean normal stress beyond a strain of 1"},
           {"steady_mean", mean, "Pa", "mean of p beyond a strain of 1"},
-          {"inertial_number", number, "1", "inertial number of that mean"},
+          {"inertial_number", number, "1", "inertial number with the mean of p"},
           {"friction", shear / normal, "1", "shear over normal stress"}};
 }
 

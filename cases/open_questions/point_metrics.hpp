@@ -4,40 +4,42 @@
 
 namespace flowslide {
 
-/// Strain of a test up to which it is a probe of the small-strain modulus.
+/// A test that ends at or below this strain is a probe of the small-strain modulus.
 inline constexpr double probe_strain = 1e-3;
-/// Strain from which a test or a held slope counts as steady: the paper's, sec. 3.1, and where the faces of a cell have
-/// slid over each other once.
+/// Strain from which the state counts as steady. For a held slope it is that of the paper (sec. 3.1). For a test at
+/// constant volume it is 1: the upper face of the cell has moved by one height.
 inline constexpr double steady_strain = 0.5, steady_flow_strain = 1.0;
 
-/// The numbers of a slide that is held at its driving stress; `final_velocity` is that of its last row:
+/// Metrics of a slide whose driving stress is held. `final_velocity` (m/s) is that of its last row.
 ///   steady_friction    mu_ss, mean tau over mean sigma beyond 50 % strain
 ///   final_velocity     m/s
 ///   linearity_<i>      R^2 of a straight line through the i-th profile of v_x
 std::vector<Metric> held_metrics(const RunMeasures& measures, const Series& profiles, double final_velocity);
 
-/// The numbers of steady shear at constant volume, means over strain beyond 1, kinetic parts included:
+/// Metrics of steady shear at constant volume. Stresses are means over strain beyond 1 and include the kinetic parts.
 ///   shear_rate, steady_shear, steady_normal, steady_mean   1/s and Pa
-///   inertial_number    gamma_dot D sqrt(rho / p), of the mean p: I itself has no mean where p nears nothing
-///   friction           mu, tau over sigma
-/// NaN where the record does not reach a strain of 1. `grains` are those of the sample.
+///   inertial_number    gamma_dot D sqrt(rho/p) with the mean p; the mean of I does not exist where p vanishes
+///   friction           mu, mean tau / mean sigma
+/// NaN if the record does not extend beyond a strain of 1. Arguments: shear rate (1/s), mean diameter of the grains
+/// (m), density of the solid (kg/m^3).
 std::vector<Metric> flow_metrics(const Series& series, double shear_rate, double mean_diameter, double density);
 
-/// What a sample is, for its natural frequency.
+/// Properties of a sample that decide its natural frequency.
 struct Body {
   double height = 0.0;    ///< H, m
-  double density = 0.0;   ///< of solid and voids together, kg/m^3
-  bool periodic = false;  ///< along z; else held at the bottom and the top
+  double density = 0.0;   ///< rho_b, bulk density: solid mass / volume of the cell, kg/m^3
+  bool periodic = false;  ///< true: periodic along z; false: held at the bottom and the top
 };
 
-/// The numbers of the first strain of a sample:
-///   shear_modulus      G, Pa, of the straight line that fits tau over gamma best
+/// Metrics of the small-strain stiffness of a sample:
+///   shear_modulus      G, Pa: slope of the least-squares line of tau over gamma
 ///   shear_wave_speed   c = sqrt(G/rho_b), m/s
-///   sample_frequency   f of the sample's first shear mode, Hz: c/(2 H) between layers that are held, c/H in a cell that
-///                      is periodic along z, where the longest wave is as long as the cell
-///   slope_frequency    f of the slope on the sample, Hz: sqrt(G/(h_s m))/(2 pi), as eqs 1 and 3 with tau = G gamma say
-///   frequency_ratio    of the former over the latter, in which G cancels
-/// A sample whose stress still creeps may have a G below 0 in so small a strain: speeds and frequencies are then NaN.
+///   sample_frequency   first shear mode of the sample, Hz: c/(2 H) between held layers; c/H in a cell that is periodic
+///                      along z, where the longest wave has the length of the cell
+///   slope_frequency    oscillation of the slope on the sample, Hz: sqrt(G/(h_s m))/(2 pi), by eqs 1 and 3 with
+///                      tau = G gamma
+///   frequency_ratio    sample_frequency / slope_frequency; G cancels
+/// If the stress of a sample still creeps, G may be negative at such small strains. Speed and frequencies are then NaN.
 std::vector<Metric> probe_metrics(const Series& series, const Body& sample, const SlopeProperties& slope);
 
 }  // namespace flowslide

@@ -86,7 +86,7 @@ std::vector<Candidate> candidates_of(const std::vector<SettingError>& errors, Sc
     else
       known->error_over_spread = std::max(known->error_over_spread, row.error_over_spread);
   }
-  mark_front(candidates);  // by cost they are, as the rows were
+  mark_front(candidates);  // the rows, and so the candidates, are sorted by cost
   return candidates;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Errors of settings against the most accurate one of their axis, beside the spread over seeds, and what they cost.
+// Errors and costs of settings. The error is measured against the most accurate setting of the same axis and compared
+// with the scatter over seeds, the spread.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,59 +10,61 @@
 
 namespace flowslide {
 
-/// Settings that differ by one choice, such as dt_L.
+/// A group of settings that differ by one choice, such as dt_L.
 struct Axis {
-  std::string name;                   ///< of its table [axis.<name>]
-  std::string title;                  ///< for people, "dt_L"
+  std::string name;                   ///< name of its table [axis.<name>]
+  std::string title;                  ///< title in tables, "dt_L"
   Scene scene = Scene::element;
-  std::string reference;              ///< the most accurate setting: the name of its slide or test
-  std::vector<std::string> settings;  ///< the others
-  /// Whether its settings answer the question of the scene itself, so that the cheapest of them may be recommended; not
-  /// so, say, those of a scheme that is another model.
+  std::string reference;              ///< the most accurate setting: name of a slide or element test
+  std::vector<std::string> settings;  ///< names of the other slides or element tests
+  /// Whether its settings solve the problem of the scene, so the cheapest of them may be recommended. False, for
+  /// instance, for a scheme that is a different model.
   bool competes = true;
 };
 
-/// Error of one quantity, over the replicates that setting and reference share, all relative to the reference's mean.
+/// Error of one quantity over the replicates that setting and reference share. All values are relative to the mean of
+/// the reference.
 struct QuantityError {
   std::string quantity;
-  double error = 0.0;           ///< |mean of the differences|; NaN if a replicate lacks the quantity
-  double standard_error = 0.0;  ///< of that mean; NaN for one replicate
-  double spread = 0.0;          ///< highest less lowest value of the reference's seeds
+  double error = 0.0;           ///< |mean of the differences|; NaN if a replicate does not have the quantity
+  double standard_error = 0.0;  ///< standard error of this mean; NaN for one replicate
+  double spread = 0.0;          ///< highest - lowest value over the seeds of the reference
   double ratio() const { return error / spread; }
 };
 
-/// One setting of one axis, or the reference of a scene itself.
+/// Errors and cost of one setting of one axis.
 struct SettingError {
   const Axis* axis = nullptr;
   std::string setting;
   std::vector<QuantityError> errors;
-  double error_over_spread = 0.0;  ///< the largest ratio; infinity if a quantity is missing
-  std::string worst;               ///< the quantity that has it
-  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 without grains
-  double seconds = 0.0;            ///< processor time, mean
+  double error_over_spread = 0.0;  ///< largest error/spread of all quantities; infinity if a quantity is missing
+  std::string worst;               ///< the quantity with this ratio
+  double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 for a closed-form sample
+  double seconds = 0.0;            ///< mean processor time, s
   bool below_noise() const { return error_over_spread <= 1.0; }
 };
 
-/// Of two ensembles on the same seeds; replicates that only one has do not count, but for the spread.
+/// The error of one quantity between two ensembles on the same seeds. Replicates that only one of them has are left
+/// out, except in the spread.
 QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const std::string& quantity);
 
-/// The settings of all axes that have been run together with their references, by scene, then cost in processor time.
-/// An axis whose reference has been run on one seed alone has no spread, and is left out.
+/// The errors of all settings that have results and whose reference has results, sorted by scene, then by processor
+/// time. An axis whose reference has only one seed has no spread and is left out.
 std::vector<SettingError> errors_of(const std::vector<Axis>& axes, const Ensembles& runs);
 
-/// A setting of a scene with the largest of its errors on any axis that competes, and its cost.
+/// A setting of a scene with its cost, and with its largest error over all axes that compete.
 struct Candidate {
   std::string setting;
   double error_over_spread = 0.0;
-  double seconds = 0.0;
-  double grains = 0.0;
-  bool on_front = false;  ///< no other is as cheap and as accurate
+  double seconds = 0.0;   ///< mean processor time, s
+  double grains = 0.0;    ///< number of grains
+  bool on_front = false;  ///< its error is smaller than the error of every cheaper candidate
 };
 
-/// The candidates of a scene by cost.
+/// The candidates of a scene, by increasing cost.
 std::vector<Candidate> candidates_of(const std::vector<SettingError>& errors, Scene scene);
 
-/// The cheapest candidate whose error is at most the spread over seeds; null if there is none.
+/// The cheapest candidate whose error does not exceed the spread over seeds; null if there is none.
 const Candidate* recommended(const std::vector<Candidate>& candidates);
 
 }  // namespace flowslide

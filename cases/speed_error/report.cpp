@@ -14,7 +14,7 @@
 namespace flowslide {
 namespace {
 
-/// What a figure shows in place of an error that is smaller, over the spread: its axis is logarithmic.
+/// Smallest error/spread in a figure. The axis is logarithmic, so this value replaces all smaller ones.
 constexpr double least_shown = 1e-4;
 
 std::string title_of(Scene scene) {
@@ -50,7 +50,8 @@ const PaperCost* paper_of(const Report& report, Scene scene) {
   return found == report.paper.end() ? nullptr : &found->second;
 }
 
-/// How many times as fast as LIGGGHTS at the paper's settings: with the grains of this run, and with the paper's.
+/// Two cells: the speed-up against LIGGGHTS at the settings of the paper, with the number of grains of this run, and
+/// with that of the paper.
 std::string speed_up(const PaperCost* paper, double seconds, double grains) {
   if (paper == nullptr || !(seconds > 0.0)) return "- | -";
   const double times = paper->seconds() / seconds;
@@ -101,7 +102,7 @@ std::string paper_text(const Report& report, Scene scene) {
                      paper->steps, 1e9 * paper->seconds_per_grain_step, paper->seconds() / 3600.0);
 }
 
-/// The text as one word of a table: with '_' for each blank.
+/// The text as one word of a table: '_' replaces each blank.
 std::string word_of(std::string text) {
   std::ranges::replace(text, ' ', '_');
   return text;
@@ -134,7 +135,7 @@ void write_plot_tables(const std::filesystem::path& folder, const Report& report
   write_atomically(folder / "paper.dat", paper);
 }
 
-/// One group for each scene: /<scene>/table, its columns row by row; settings, axes and references, names one a line.
+/// Writes the group /<scene>: the table with its columns, and the names of settings, axes and references, one per line.
 void write_scene(hdf5::Group& root, const Report& report, Scene scene) {
   Series series;
   series.axis = {"row", "row", "1", "row of the table, by cost", "", {}};

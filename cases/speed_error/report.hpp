@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is said of speed against error: tables for people, for gnuplot and as HDF5, and the recommendation.
+// The report on speed against error: tables in Markdown, for gnuplot and in HDF5, and the recommended settings.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -10,29 +10,33 @@
 
 namespace flowslide {
 
-/// What a scene takes with LIGGGHTS at the paper's own settings, on one core.
+/// Cost of a scene with LIGGGHTS and the settings of the paper, on one core.
 struct PaperCost {
   double grains = 0.0, steps = 0.0;
-  double seconds_per_grain_step = 0.0;  ///< as measured on LIGGGHTS with the grains and time step of this scale, s
+  double seconds_per_grain_step = 0.0;  ///< s, measured with LIGGGHTS at the grains and the time step of this scale
   double seconds() const { return grains * steps * seconds_per_grain_step; }
 };
 
-/// Everything that is reported.
+/// The content of the report.
 struct Report {
   std::vector<SettingError> errors;                   ///< see errors_of
   std::map<Scene, std::vector<Candidate>> candidates;  ///< see candidates_of
-  std::map<Scene, PaperCost> paper;                    ///< of the scenes where LIGGGHTS has run
+  std::map<Scene, PaperCost> paper;                    ///< for scenes with a result of LIGGGHTS
 };
 
-/// The name of a setting without that of its scene; "base" for the scene's own.
+/// The name of a setting without the name of its scene; "base" for the setting that is named after the scene.
 std::string label_of(const std::string& setting, Scene scene);
 
-/// One table for each scene, by cost, in Markdown, and the recommendations below it.
+/// One table for each scene in Markdown, sorted by cost, and the recommendations below the tables.
 std::string markdown(const Report& report);
 
-/// Writes table.md, for each scene errors_<scene>.dat (label, axis, seconds, grain steps, error over spread, whether that
-/// is below the noise: 1 or 0; rows without an error are left out) and <scene>_front.dat, paper.dat (scene, seconds with
-/// LIGGGHTS at the paper's settings), and table.h5 with all of it, sealed as results are. Text has '_' for each blank.
+/// Writes the report. In the .dat files '_' replaces each blank of a text.
+///   table.md             see markdown
+///   errors_<scene>.dat   label, axis, seconds, grain steps, error/spread, and 1 if this ratio is at most 1, else 0;
+///                        rows without an error are left out
+///   <scene>_front.dat    the candidates on the front
+///   paper.dat            scene, seconds with LIGGGHTS at the settings of the paper
+///   table.h5             all of these, sealed as results are
 void write_report(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace flowslide

@@ -10,16 +10,17 @@
 namespace flowslide {
 namespace {
 
-constexpr double liquefied = 0.1;          ///< share of the first sigma
+constexpr double liquefied = 0.1;          ///< sigma / initial sigma at which a sample counts as liquefied
 constexpr double half = 0.5;               ///< strain
-constexpr double half_width = 5e-3;        ///< of the window about it
+constexpr double half_width = 5e-3;        ///< half width of the window around this strain
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Peak {
   double place, value;
 };
 
-/// The peak of `values` over `at`, by a parabola through the row at `place`, where it is largest, and its neighbours.
+/// The peak of `values` over `at`. `place` is the abscissa of the row with the largest value. A parabola through this
+/// row and its neighbours refines the peak.
 Peak refined_peak(const std::vector<double>& at, const std::vector<double>& values, double place) {
   const auto top = static_cast<std::size_t>(std::find(at.begin(), at.end(), place) - at.begin());
   if (top == at.size()) return {nothing, nothing};
@@ -32,7 +33,8 @@ Peak refined_peak(const std::vector<double>& at, const std::vector<double>& valu
   return {at[top] + shift, values[top] + shift * (slope + shift * curvature)};
 }
 
-/// `at` where `values` first falls to `level`, which is below the first of them, by a straight line.
+/// The abscissa `at` where `values` first falls to `level`, by linear interpolation; NaN if it does not. The first
+/// value must be above `level`.
 double first_fall(const std::vector<double>& at, const std::vector<double>& values, double level) {
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (values[row] > level) continue;

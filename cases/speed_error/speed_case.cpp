@@ -49,7 +49,7 @@ void SpeedCase::read(const Configuration& configuration) {
     const std::string key = "liggghts." + name_of(scene);
     const SlidePoint* clock = find(configuration, key);
     if (clock != nullptr && scene_of(*clock) == scene)
-      clocks_[scene] = clock->name;  // another loading is another scene
+      clocks_[scene] = clock->name;  // the user may have changed its loading, and so its scene
   }
 }
 
@@ -85,7 +85,7 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
 }
 
 std::vector<std::string> SpeedCase::tables() const {
-  std::vector<std::string> tables{"paper"};  // and table.h5, which every case may have
+  std::vector<std::string> tables{"paper"};  // "table" is reserved for every case
   for (const Scene scene : all_scenes)
     tables.insert(tables.end(), {"errors_" + name_of(scene), name_of(scene) + "_front"});
   return tables;

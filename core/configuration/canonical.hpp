@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One way, and one only, to write each value as TOML, so that equal configurations have equal texts and hashes.
+// The canonical form of each value in TOML. Equal configurations have equal texts and equal hashes.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace flowslide {
 
-/// The shortest form that gives the same double again, always with a point or an exponent: "28340.0", "5e-07".
+/// The shortest decimal text that reads back as the same double, with a point or an exponent: "28340.0", "5e-07".
 std::string canonical(double value);
 std::string canonical(std::int64_t value);
 std::string canonical(bool value);
-/// In double quotes, with TOML's escapes.
+/// The text in double quotes, with the escapes of TOML.
 std::string canonical(std::string_view text);
 std::string canonical(const char* text) = delete;
 

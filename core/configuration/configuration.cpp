@@ -172,17 +172,18 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
                      !meant.empty()
                          ? fmt::format("did you mean \"{}\"?", meant)
-                         : did_you_mean(entry.key, candidates, "none is like it; --dry-run prints those there are"));
+                         : did_you_mean(entry.key, candidates, "no known name is similar; --dry-run prints all keys"));
 }
 
-/// A value of the user's that nobody reads: it would be believed to hold. Those of the case are its defaults.
+/// Whether the user gives a value that no reader uses. The user would wrongly expect an effect. Unused values of the
+/// case file and its base are allowed: they are defaults.
 bool Configuration::is_in_vain(const Entry& entry) const {
   return !is_published_origin(entry) && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
 }
 
 void Configuration::reject_unknown() const {
   std::vector<std::string> messages;
-  std::vector<std::string> tables;  // what stands below an unknown table needs no word of its own
+  std::vector<std::string> tables;  // unknown tables: keys below them get no message of their own
   const auto check = [&](const Entry& entry) {
     if (!base_.empty() && entry.key_place.origin == base_) return;  // other cases read it
     const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
@@ -193,8 +194,8 @@ void Configuration::reject_unknown() const {
   for (const Entry& entry : entries_)
     if (!is_known(entry.key)) check(entry);
     else if (is_in_vain(entry))
-      messages.push_back(fmt::format("{}: \"{}\" has no effect, as all that would read it have a nearer key, such as "
-                                     "\"{}\"; give that instead", entry.key_place.text(), entry.key,
+      messages.push_back(fmt::format("{}: \"{}\" has no effect: every run that could use it has a nearer key, such as "
+                                     "\"{}\"; set that key instead", entry.key_place.text(), entry.key,
                                      overridden_.at(entry.key)));
   tables.clear();
   for (const Entry& entry : unselected_)
@@ -229,7 +230,7 @@ std::vector<Change> Configuration::changes() const {
 
 Configuration::Lines Configuration::resolved_lines() const {
   Lines lines = resolved_;
-  // A table that was asked for counts, even when nothing of it was read. Backwards: children before parents.
+  // A table that was asked for is shown as {} if none of its keys was read. Backwards: children before parents.
   for (auto key_at = known_.rbegin(); key_at != known_.rend(); ++key_at) {
     const std::string& key = *key_at;
     const Entry* entry = find(key);

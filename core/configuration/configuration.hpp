@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run is asked to do: TOML in layers, read once, checked for type, dimension, range and spelling.
+// The configuration of a run: TOML files in layers. Each value is checked for type, dimension and range, each key for
+// its spelling.
 #pragma once
 
 #include <algorithm>
@@ -19,100 +20,100 @@
 
 namespace flowslide {
 
-/// A value that --config, --set or another option has changed.
+/// A value that a user file (--config), --set or another option has changed.
 struct Change {
   std::string key;
-  std::string value;   ///< as resolved() has it: "28340.0 Pa"
-  std::string before;  ///< as the case file has it, as written; empty where that has none
+  std::string value;   ///< the new value in the form of resolved(): "28340.0 Pa"
+  std::string before;  ///< the value of the case file or its base, as written; empty: they have no such key
 };
 
-/// A configuration. Each getter throws ConfigurationError when the key is missing, of the wrong type, of the wrong
-/// dimension or out of range; the message gives file, line, column, key, the value as written, what is allowed and how
-/// to mend it. There are no defaults in code: what a run may be asked stands in its case.toml and the base of that.
-/// Several cases share a base, so that a key of the base may be left unread.
+/// A configuration. Each getter throws ConfigurationError if the key is missing, or if its value is of the wrong type,
+/// of the wrong dimension or out of range. The message gives file, line, column, key, the value as written, the allowed
+/// values and the remedy. The code has no defaults: the case file (case.toml) or its base sets every required key.
+/// Several cases share one base, so a case need not read all keys of its base.
 ///
 /// A key is a path such as "sample.confining_stress". An array of tables counts as a table whose keys are the
-/// positions, from 0: "claim.0.metric". A later layer overlays tables key by key and replaces lists (of tables too)
-/// as a whole.
-/// Keys are bare: letters, digits, "_" and "-". At the top, the table `scale` and the text `base` are reserved.
-/// Getters mark the key as known, also when they throw. Not for use by several threads at once.
+/// positions, from 0: "claim.0.metric". A later layer is merged into tables key by key. It replaces a list or an array
+/// of tables as a whole.
+/// Keys are bare: letters, digits, "_" and "-". At the top level, the table `scale` and the text `base` are reserved.
+/// Getters mark the key as known, also when they throw. One thread at a time may use a configuration.
 class Configuration {
  public:
-  /// Reads all layers. Throws ConfigurationError when a file cannot be read, is not TOML (file, line and column), has
-  /// no such scale, has a base where it may not have one, or puts a table where another layer has a value or the other
-  /// way round.
+  /// Reads all layers. Throws as `lay`.
   explicit Configuration(const Layers& layers);
-  /// A single layer from a text; `origin` stands for the file in messages.
+  /// A configuration of one layer, from a text. Messages name `origin` in place of a file.
   static Configuration from_text(std::string_view toml, std::string origin = "text");
 
-  /// This configuration under one more layer.
+  /// A copy of this configuration with one more layer, which wins over the others.
   Configuration overlaid(std::string_view toml, const std::string& origin) const;
 
-  /// Whether the key, a value or a table, is there. Marks it as known.
+  /// Whether the configuration has the key, as a value or as a table. Marks the key as known.
   bool has(std::string_view key) const;
-  /// Whether a table is there that neither the case file nor its base has: --config or --set brought it.
+  /// Whether --config or an option added this table, which neither the case file nor its base has.
   bool is_users_table(std::string_view table) const;
-  /// Whether the case's base brought the table or value, as far as it is in no later layer.
+  /// Whether the base of the case first defines this table, or gives this value and no later layer replaces it.
   bool is_of_base(std::string_view key) const;
 
-  /// A number in SI units, from a text such as "3 kPa". A bare number is refused, but 0 and where the dimension has no
-  /// unit.
+  /// A number in SI units, from a text such as "3 kPa". A bare number is allowed only if it is 0 or if the quantity is
+  /// dimensionless.
   double quantity(std::string_view key, const Dimension& dimension, const Range& range = Range::any()) const;
   /// A number without unit; "25 %" is 0.25.
   double number(std::string_view key, const Range& range = Range::any()) const;
   std::int64_t integer(std::string_view key, const Range& range = Range::any()) const;
   bool flag(std::string_view key) const;
-  /// A text; one of `allowed` unless that is empty.
+  /// A text. It must be one of `allowed` unless `allowed` is empty.
   std::string text(std::string_view key, const std::vector<std::string>& allowed = {}) const;
 
-  /// The value whose name the text is; another text is refused. There is no other list of the names.
+  /// The value that `values` gives for the text at `key`. Any text that is not a name in `values` is refused.
   template <typename Value>
   Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values) const;
-  /// The path of a file; a relative one is resolved beside the file that names it, or in the current folder if an
-  /// option does.
+  /// The path of a file. A relative path in a configuration file starts at the folder of that file; in an option it
+  /// starts at the current folder.
   std::filesystem::path path(std::string_view key) const;
 
-  /// Lists; a single value counts as a list of one. An empty list is refused.
+  /// Lists. A single value counts as a list of one. An empty list is refused.
   std::vector<double> quantities(std::string_view key, const Dimension& dimension,
                                  const Range& range = Range::any()) const;
   std::vector<double> numbers(std::string_view key, const Range& range = Range::any()) const;
   std::vector<std::int64_t> integers(std::string_view key, const Range& range = Range::any()) const;
   std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed = {}) const;
 
-  /// Names of the tables under a key in the order of the files, "0", "1", ... for an array of tables; empty when the
-  /// key is not there. The values of one of them have the key `key + "." + name + "." + ...`.
+  /// Names of the tables below a key, in the order of the files; "0", "1", ... for an array of tables. Empty if the key
+  /// does not exist. The keys below the table `name` start with `key + "." + name + "."`.
   std::vector<std::string> subtables(std::string_view key) const;
 
-  /// Marks a key, and if it is a table all below it, as known though this scene does not need it.
+  /// Marks a key as known although this run does not need it. For a table, marks all keys below it too.
   void accept(std::string_view key) const;
 
-  /// Says that a reader took the value of `nearer` in place of that of `key`; another may still read `key`.
+  /// Records that a reader used the value of `nearer` in place of the value of `key`. Another reader may still read
+  /// `key`.
   void override_by(const std::string& key, const std::string& nearer) const { overridden_[key] = nearer; }
 
-  /// Throws a ConfigurationError about the value of a key that a getter has read, for a rule that spans several keys:
-  /// file, line, column, key, the value as written, then `problem` and `mend` (whole clauses without full stop).
+  /// Throws ConfigurationError about the value of `key`, for a rule that involves several keys. The message gives file,
+  /// line, column, key and the value as written, then `problem` and `mend` (the remedy; clauses without a full stop).
   [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
 
-  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has `key`: its name is `now` since.
-  /// The message gives file, line, column and both names.
+  /// Throws ConfigurationError if any layer has the old name `key`, whose present name is `now`. This includes the
+  /// tables [scale.<name>] that were not chosen. The message gives file, line, column and both names.
   void refuse_renamed(std::string_view key, std::string_view now) const;
 
-  /// Throws ConfigurationError when any layer, also a [scale] that was not chosen, has a key that no getter asked for:
-  /// file, line and column of each, with the nearest known key; or when --config or --set gives a value that all
-  /// readers took from elsewhere. Call it once all is read.
+  /// Throws ConfigurationError if a layer other than the base has a key that no getter asked for. This includes the
+  /// tables [scale.<name>] that were not chosen. Throws too if --config or an option gives a value that has no effect
+  /// because every reader used a nearer key. The message gives file, line and column of each key, and for an unknown
+  /// key the nearest known one. Call it after all values are read.
   void reject_unknown() const;
 
-  /// Whether the case file or its base has the key at this scale.
+  /// Whether the case file or its base has the key at the chosen scale.
   bool is_published(std::string_view key) const;
-  /// The values that were read and that the case file and its base, at this scale, lack or have otherwise. A value in
-  /// another unit counts as another.
+  /// The values that were read and that differ from the case file with its base at the chosen scale, or that these
+  /// files do not have. Quantities are compared as texts: "3 kPa" and "3000 Pa" differ.
   std::vector<Change> changes() const;
 
-  /// All that was read, as canonical TOML: dotted keys, sorted, numbers in the shortest form that gives the same double
-  /// again. Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios are bare. Reading this text gives
-  /// the same configuration.
+  /// All values that were read, as canonical TOML: one line per dotted key, sorted, each number in canonical form.
+  /// Quantities are texts with their SI unit, "28340.0 Pa"; counts and ratios have no unit. Reading this text gives the
+  /// same configuration.
   std::string resolved() const;
-  /// The lines of resolved(), each with the layer that its value came from as a comment: "# cases/paper.toml:12".
+  /// The lines of resolved(), each with the source of its value as a comment: "# cases/paper.toml:12".
   std::string resolved_with_origins() const;
 
  private:
@@ -132,15 +133,15 @@ class Configuration {
   bool is_in_vain(const Entry& entry) const;
 
   std::string origin_;                                   ///< the case file
-  std::string base_;                                     ///< the file below the case file; empty when it has none
+  std::string base_;                                     ///< the base of the case file; empty: none
   std::vector<Entry> entries_;                           ///< in file order, parents before children
-  std::map<std::string, std::size_t, std::less<>> positions_;  ///< of the keys in entries_
-  std::vector<Entry> published_;                         ///< those of the case file and its base at this scale
-  std::vector<Entry> unselected_;                        ///< of scales that were not chosen: checked for spelling only
-  mutable std::set<std::string, std::less<>> known_;     ///< keys asked for, values and tables
-  mutable std::set<std::string, std::less<>> accepted_;  ///< keys not needed, with all below them
-  mutable std::set<std::string, std::less<>> listed_;    ///< tables asked for by subtables()
-  mutable std::map<std::string, std::string> overridden_;  ///< key -> a nearer one that stood in for it
+  std::map<std::string, std::size_t, std::less<>> positions_;  ///< key -> its index in entries_
+  std::vector<Entry> published_;                         ///< entries of the case file and its base at this scale
+  std::vector<Entry> unselected_;                        ///< entries of other scales: checked for spelling only
+  mutable std::set<std::string, std::less<>> known_;     ///< keys that a getter asked for: values and tables
+  mutable std::set<std::string, std::less<>> accepted_;  ///< keys that are not needed, with all keys below them
+  mutable std::set<std::string, std::less<>> listed_;    ///< tables whose names subtables() returned
+  mutable std::map<std::string, std::string> overridden_;  ///< key -> the nearer key that was used instead
   mutable Lines resolved_;                                 ///< key -> canonical value with its unit
 };
 

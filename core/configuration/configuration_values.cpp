@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The getters of Configuration: each reads, checks and remembers.
+// The getters of Configuration: each finds a value, checks it and stores its canonical form for resolved().
 #include <fmt/format.h>
 
 #include <type_traits>
@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-/// As a text with the SI unit, "0.2 m", which reads as the same double; without unit as a number.
+/// The value in SI units as a quoted text with its unit, "0.2 m"; as a number if it is dimensionless.
 std::string canonical_quantity(double value, const Dimension& dimension) {
   const std::string unit = unit_of(dimension);
   return unit.empty() ? canonical(value) : fmt::format("\"{} {}\"", canonical(value), unit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// TOML laid flat: one entry per key, with the place it came from. What Configuration is made of.
+// A flat list of the keys of a TOML file, each with its place in the file. Configuration is built on such lists.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace flowslide {
 
-/// Where something was written.
+/// The place where a key or a value was written.
 struct Place {
   std::string origin;      ///< a file, or an option such as "--set a=1"
   std::size_t line = 0;    ///< from 1; 0: the origin has no lines
@@ -21,7 +21,7 @@ struct Place {
   std::string text() const;
 };
 
-/// A value that configuration knows; std::monostate stands for those of TOML that it does not (dates, nested lists).
+/// A value of a type that Configuration supports. std::monostate: a TOML type that it does not (dates, nested lists).
 using ScalarValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 /// One value with its place and its text as written.
@@ -31,31 +31,32 @@ struct Scalar {
   std::string written;
 };
 
-/// One key with what stands at it.
+/// One key with its value, list or table.
 struct Entry {
   enum class Kind { value, list, table };
 
   std::string key;  ///< whole path, "sample.confining_stress"
   Kind kind = Kind::value;
-  Place key_place;              ///< of the key itself
-  Scalar whole;                 ///< the value, or place and text of the list or table
-  std::vector<Scalar> items;    ///< of a list
-  bool list_of_tables = false;  ///< a table that stands for an array of tables
+  Place key_place;              ///< place of the key itself
+  Scalar whole;                 ///< the value; for a list or a table its place and text only
+  std::vector<Scalar> items;    ///< items of a list
+  bool list_of_tables = false;  ///< true: this table represents an array of tables
 };
 
-/// Orders keys by their parts, parts made of digits by their number: "point.2" before "point.10".
+/// Orders keys part by part. Parts made of digits are ordered as numbers: "point.2" before "point.10".
 struct KeyOrder {
   bool operator()(std::string_view a, std::string_view b) const;
 };
 
-/// Puts `layer` over `base`: tables are merged key by key, values and lists (of tables too) are replaced. Throws
-/// ConfigurationError when one has a table where the other has a value.
+/// Lays `layer` over `base`: merges tables key by key, replaces values, lists and arrays of tables. Throws
+/// ConfigurationError if one has a table where the other has a value or a list.
 void overlay(std::vector<Entry>& base, const std::vector<Entry>& layer);
 
-/// Removes the entry `prefix` and all below it from `entries` and returns those below, the prefix taken off their keys.
+/// Removes the entry `prefix` and all entries below it from `entries`. Returns the entries below it, their keys without
+/// the prefix.
 std::vector<Entry> take_below(std::vector<Entry>& entries, const std::string& prefix);
 
-/// Whether `key` stands below the table `table`: "a.b" stands below "a".
+/// Whether `key` lies below the table `table`: "a.b" lies below "a".
 bool stands_below(std::string_view key, std::string_view table);
 
 }  // namespace flowslide

@@ -25,11 +25,12 @@ bool is_bare(std::string_view key) {
       fmt::format("{}: the key \"{}\" is not bare: use letters, digits, \"_\" and \"-\" only", place.text(), key));
 }
 
-/// What stands between two positions of a text, of which columns count code points; the first line of it only.
+/// Finds parts of a text by the positions of the TOML library, whose columns count code points.
 class SourceText {
  public:
   explicit SourceText(std::string_view text) : text_(text) {}
 
+  /// The text between two positions. Of several lines it returns the first, followed by " ...".
   std::string between(const toml::source_position& begin, const toml::source_position& end) const {
     const std::size_t first = offset(begin);
     std::string_view slice = text_.substr(first, offset(end) - first);
@@ -39,7 +40,7 @@ class SourceText {
     return std::string(slice) + (more ? " ..." : "");
   }
 
-  /// The character there; '\0' behind the end.
+  /// The character at a position; '\0' after the end of the text.
   char at(const toml::source_position& position) const {
     const std::size_t place = offset(position);
     return place < text_.size() ? text_[place] : '\0';
@@ -68,7 +69,7 @@ ScalarValue value_of(const toml::node& node) {
   return std::monostate{};
 }
 
-/// Walks a tree of TOML and lays it flat.
+/// Turns a tree of TOML nodes into a flat list of entries.
 class Flattener {
  public:
   Flattener(std::string_view text, std::string origin) : source_(text), origin_(std::move(origin)) {}
@@ -131,12 +132,11 @@ class Flattener {
 
 [[noreturn]] void refuse_nesting(const std::string& place) {
   throw ConfigurationError(
-      fmt::format("{}: is nested too deeply: a key has at most {} parts, and at most as many "
-                  "brackets may stand within each other",
+      fmt::format("{0}: is nested too deeply: a key may have {1} parts at most, and {1} brackets at most may be nested",
                   place, most_nesting));
 }
 
-/// The place of an offset of a text; columns count code points.
+/// Line and column of a byte offset in a text. Columns count code points.
 Place place_of(std::string_view text, std::size_t offset, const std::string& origin) {
   const std::string_view before = text.substr(0, offset);
   const std::string_view line = before.substr(before.rfind('\n') + 1);
@@ -145,7 +145,8 @@ Place place_of(std::string_view text, std::size_t offset, const std::string& ori
           1 + static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins))};
 }
 
-/// The library's own words, but for a string that is not closed: there it speaks of the character behind the line.
+/// The message of the TOML library, except for a string that is not closed. There the library complains about the
+/// character after the line, so this function names the missing quote.
 std::string explanation(const toml::parse_error& error, std::string_view text) {
   const std::string_view own = error.description();
   const char at = SourceText(text).at(error.source().begin);
@@ -155,9 +156,9 @@ std::string explanation(const toml::parse_error& error, std::string_view text) {
   return std::string(own);
 }
 
-constexpr std::size_t most_shown = 60;  ///< characters of an option that is too long to be read
+constexpr std::size_t most_shown = 60;  ///< characters of an option in a message; the rest is cut off
 
-/// Whether a value cannot be meant as plain text.
+/// Whether a value begins like a list, a table or a quoted text of TOML.
 bool begins_as_toml(std::string_view value) {
   const std::size_t first = value.find_first_not_of(" \t");
   return first != std::string_view::npos && std::string_view("[{\"'").find(value[first]) != std::string_view::npos;
@@ -201,7 +202,7 @@ std::vector<Entry> read_option(const std::string& key, const std::string& value,
   } catch (const ConfigurationError&) {
     if (begins_as_toml(value))
       throw ConfigurationError(
-          fmt::format("{}: the value is no TOML: close every quote and bracket, and quote each text "
+          fmt::format("{}: the value is not TOML: close every quote and bracket, and quote each text "
                       "of a list, such as [\"0.2 1/s\", \"0.1 1/s\"]",
                       option));
     values.clear();

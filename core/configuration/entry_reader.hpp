@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one place that knows the TOML library.
+// Reads TOML into entries. Only this source uses the TOML library.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,19 @@
 
 namespace flowslide {
 
-/// Lays a TOML text flat, parents before children, in the order of the text; `origin` stands for the file in messages.
-/// An array of tables becomes a table with the keys "0", "1", ... Throws ConfigurationError with file, line and column
-/// when the text is not TOML, is nested too deeply (see nesting.hpp), or a key is not bare (letters, digits, "_", "-").
+/// The entries of a TOML text, in the order of the text, parents before children. An array of tables becomes a table
+/// with the keys "0", "1", ... Messages name `origin` in place of a file. Throws ConfigurationError with origin, line
+/// and column if the text is not TOML or is nested too deeply (see nesting.hpp), or if a key is not bare (letters,
+/// digits, "_", "-").
 std::vector<Entry> read_entries(std::string_view toml, const std::string& origin);
 
-/// The same from a file. Throws ConfigurationError when it cannot be read.
+/// The entries of a TOML file. Throws as above, and if the file cannot be read.
 std::vector<Entry> read_entries(const std::filesystem::path& file);
 
-/// The entries of "key = value" from a command line, tables of the key first. A value that is no TOML is taken as text,
-/// but for one that begins as a list, a table or a quoted text does: that is refused. Their place is `option`, without
-/// line. Throws ConfigurationError when the key is no path of bare keys, or key or value is nested too deeply.
+/// The entries of "key = value" from a command line, the tables of the key first. Their place is `option`, without a
+/// line. The value is read as TOML. A value that is not TOML is read as text, unless it begins like a list, a table or
+/// a quoted text; such a value is refused. Throws ConfigurationError for this value, for a key that is not a path of
+/// bare keys, and for a key or value that is nested too deeply.
 std::vector<Entry> read_option(const std::string& key, const std::string& value, const std::string& option);
 
 }  // namespace flowslide

@@ -6,14 +6,15 @@
 
 namespace flowslide {
 
-/// The user asked for something that cannot be done. The message says what was given, what is allowed and the mend.
+/// The user asked for something that is not possible. The message says what was given, what is allowed, and how to mend
+/// it.
 class ConfigurationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Calls `read` and returns its result. What it refuses (std::invalid_argument), the user has written: it throws
-/// ConfigurationError instead, with `place` in front of the message.
+/// Calls `read` and returns its result. Replaces std::invalid_argument by ConfigurationError, because the invalid value
+/// comes from the user. The message then begins with `place`.
 template <typename Read>
 auto as_written_by_user(const std::string& place, Read&& read) {
   try {

@@ -13,7 +13,8 @@
 namespace flowslide {
 namespace {
 
-/// Takes the key `base` out of the entries of a file: the file that it names, beside that one; empty without the key.
+/// Removes the key `base` from the entries of a file. Returns the path that it gives, relative to the folder of that
+/// file; an empty path if there is no such key.
 std::filesystem::path take_base(std::vector<Entry>& file) {
   const auto named = std::find_if(file.begin(), file.end(), [](const Entry& entry) { return entry.key == "base"; });
   if (named == file.end()) return {};
@@ -33,7 +34,7 @@ void refuse_base(const std::vector<Entry>& file) {
           fmt::format("{}: only a case.toml may have a base; take the key out", entry.key_place.text()));
 }
 
-/// Names of the scales of a file, in its order. Throws ConfigurationError when [scale] holds a value.
+/// Names of the scales of a file, in the order of the file. Throws ConfigurationError if [scale] holds a value.
 std::vector<std::string> scales_of(const std::vector<Entry>& file) {
   std::vector<std::string> scales;
   for (const Entry& entry : file) {
@@ -47,8 +48,8 @@ std::vector<std::string> scales_of(const std::vector<Entry>& file) {
   return scales;
 }
 
-/// Puts a file over `laid.all`: the file outside [scale], then its table of the scale. Those of other scales go to
-/// `laid.unselected`.
+/// Lays a file over `laid.all`: first the keys outside [scale], then those of the chosen scale. The keys of the other
+/// scales go to `laid.unselected`.
 void lay_over(LaidEntries& laid, std::vector<Entry> file, const std::string& scale) {
   const std::vector<std::string> scales = scales_of(file);
   std::vector<Entry> all_scales = take_below(file, "scale");
@@ -62,7 +63,7 @@ void lay_over(LaidEntries& laid, std::vector<Entry> file, const std::string& sca
   }
 }
 
-/// Lays the case file over its base. Returns the scales of both.
+/// Lays the case file over its base. Returns the names of the scales of both.
 std::vector<std::string> lay_published(LaidEntries& laid, const Layers& layers) {
   std::vector<Entry> case_file = read_entries(layers.case_file), base_file;
   if (const std::filesystem::path base = take_base(case_file); !base.empty()) {

@@ -15,7 +15,7 @@ bool same_letter(char a, char b) {
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Three rows of the matrix of Damerau and Levenshtein (optimal string alignment).
+  // Damerau-Levenshtein distance (optimal string alignment), with three rows of its matrix in memory.
   std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {

@@ -4,7 +4,7 @@
 namespace flowslide {
 namespace {
 
-/// The offset behind the string that begins at `begin` with a quote; npos when it is not closed.
+/// The offset after the string whose opening quote is at `begin`; npos if the string is not closed.
 std::size_t end_of_string(std::string_view toml, std::size_t begin) {
   const char quote = toml[begin];
   const std::string_view triple = quote == '"' ? R"(""")" : "'''";
@@ -14,7 +14,8 @@ std::size_t end_of_string(std::string_view toml, std::size_t begin) {
       ++at;
     } else if (many_lines && toml.substr(at).starts_with(triple)) {
       at += 3;
-      for (int more = 0; more < 2 && at < toml.size() && toml[at] == quote; ++more) ++at;  // they belong to the text
+      // Up to two more quotes belong to the text itself.
+      for (int more = 0; more < 2 && at < toml.size() && toml[at] == quote; ++more) ++at;
       return at;
     } else if (!many_lines && toml[at] == quote) {
       return at + 1;
@@ -28,7 +29,7 @@ std::size_t end_of_string(std::string_view toml, std::size_t begin) {
 }  // namespace
 
 std::optional<std::size_t> too_deep_at(std::string_view toml) {
-  int brackets = 0, parts = 1;  // of the key that may stand here
+  int brackets = 0, parts = 1;  // open brackets, and parts of the key at this offset
   for (std::size_t at = 0; at < toml.size();) {
     switch (toml[at]) {
       case '#':

@@ -7,12 +7,12 @@
 
 namespace flowslide {
 
-/// The parts that a key may have, "point.mine.coupling" has three, and the brackets that may stand within each other.
-/// The TOML library and the reader of its tree recurse once for each.
+/// Largest number of parts of a key ("point.mine.coupling" has three), and of brackets inside one another. The limit
+/// protects the stack: the TOML library and Flattener recurse once for each part and bracket.
 inline constexpr int most_nesting = 32;
 
-/// The offset in a TOML text where it is nested deeper than `most_nesting`; nothing when it is not, or when the text
-/// ends before in a string that is not closed. Does not recurse.
+/// The byte offset at which a TOML text exceeds `most_nesting`; empty if it does not. The search ends at a string that
+/// is not closed. Does not recurse.
 std::optional<std::size_t> too_deep_at(std::string_view toml);
 
 }  // namespace flowslide

@@ -19,8 +19,8 @@ namespace {
 struct Unit {
   std::string_view symbol;
   Dimension dimension;
-  double numerator = 1.0;    // one unit is numerator / denominator in SI; both exact, so that each
-  double denominator = 1.0;  // conversion rounds as a division or a product of exact numbers does
+  double numerator = 1.0;    // one unit is numerator/denominator in SI units; both are exact numbers (except pi),
+  double denominator = 1.0;  // so a conversion rounds once for the product and once for the quotient
 };
 
 constexpr std::array units{
@@ -54,7 +54,7 @@ constexpr std::array units{
     Unit{"%", dimension::dimensionless, 1.0, 1e2},
 };
 
-/// Spellings that are not taken, and the symbol to propose.
+/// Spellings that are refused, and the symbol that the message proposes.
 struct Alias {
   std::string_view spelling;
   std::string_view symbol;
@@ -74,7 +74,7 @@ struct Named {
   std::string_view name;
   std::string_view unit;  // SI
   std::string_view example;
-  std::string_view usual{};  // a unit that people have in mind when they write none; empty: the SI unit
+  std::string_view usual{};  // the unit that users probably mean if they write none; empty: the SI unit
 };
 
 constexpr std::array named{
@@ -121,18 +121,18 @@ const Unit& unit_named(std::string_view symbol, std::string_view text) {
   fail(text, fmt::format("has an unknown unit \"{}\"; {} Known units: {}", symbol, proposed, fmt::join(symbols, " ")));
 }
 
-/// Reads products of units behind a number.
+/// Reads the product of units after a number.
 class UnitReader {
  public:
   UnitReader(std::string_view text, std::string_view rest) : text_(text), rest_(rest) {}
 
-  /// Multiplies the units into `quantity`.
+  /// Multiplies `quantity` by the units: converts its value to SI units and adds their exponents to its dimension.
   void read(Quantity& quantity) {
     bool divide = false;
     bool operand_due = false;
     for (skip_blanks(); !rest_.empty(); skip_blanks()) {
       if (rest_.front() == '*' || rest_.front() == '/') {
-        if (operand_due) fail(text_, "has two signs in its unit where a unit should stand between them");
+        if (operand_due) fail(text_, "has two signs in its unit without a symbol between them");
         divide = rest_.front() == '/';
         operand_due = true;
         rest_.remove_prefix(1);
@@ -141,12 +141,12 @@ class UnitReader {
       read_factor(quantity, divide);
       divide = operand_due = false;
     }
-    if (operand_due) fail(text_, "ends where a unit should follow");
+    if (operand_due) fail(text_, "ends with \"*\" or \"/\"; a unit must follow");
     quantity.value = quantity.value * numerator_ / denominator_;
   }
 
  private:
-  /// Bytes beyond ASCII, too: no unit has one, but a message should show the whole symbol.
+  /// Includes bytes beyond ASCII. No unit has one, but the message about an unknown unit then shows the whole symbol.
   static bool is_symbol(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || static_cast<unsigned char>(c) >= 0x80;
   }
@@ -157,12 +157,12 @@ class UnitReader {
 
   void read_factor(Quantity& quantity, bool divide) {
     if (rest_.starts_with("1/")) {
-      rest_.remove_prefix(1);  // the one of "1/s"
+      rest_.remove_prefix(1);  // the 1 of "1/s"
       return;
     }
     std::size_t length = 0;
     while (length < rest_.size() && is_symbol(rest_[length])) ++length;
-    if (length == 0) fail(text_, fmt::format("has \"{}\" where a unit should stand, such as in \"3 kPa\"", rest_));
+    if (length == 0) fail(text_, fmt::format("has \"{}\" in place of a unit; write, for example, \"3 kPa\"", rest_));
     const Unit& unit = unit_named(rest_.substr(0, length), text_);
     rest_.remove_prefix(length);
     const int exponent = divide ? -read_exponent() : read_exponent();
@@ -182,7 +182,7 @@ class UnitReader {
     int exponent = 0;
     const auto [end, error] = std::from_chars(rest_.data() + 1, rest_.data() + rest_.size(), exponent);
     if (error != std::errc{} || exponent == 0 || std::abs(exponent) > 9)
-      fail(text_, "needs an integer from -9 to 9, but not 0, after \"^\", such as in \"2650 kg/m^3\"");
+      fail(text_, "needs an integer from -9 to 9, except 0, after \"^\"; write, for example, \"2650 kg/m^3\"");
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return exponent;
   }
@@ -227,7 +227,7 @@ Quantity parse_quantity(std::string_view text) {
   Quantity quantity;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), quantity.value);
   if (error == std::errc::result_out_of_range) fail(text, "is too large or too small for a number");
-  if (error != std::errc{}) fail(text, "does not begin with a number, as \"3 kPa\" does");
+  if (error != std::errc{}) fail(text, "does not begin with a number; write, for example, \"3 kPa\"");
   if (!std::isfinite(quantity.value)) fail(text, "is not a finite number");
   UnitReader(text, number.substr(static_cast<std::size_t>(end - number.data()))).read(quantity);
   if (!std::isfinite(quantity.value)) fail(text, "is too large for a number in SI units");

@@ -8,7 +8,7 @@
 
 namespace flowslide {
 
-/// The values that a key may have, in SI units. No range contains infinity or NaN.
+/// The range of allowed values of a key, in SI units. No range contains infinity or NaN.
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
@@ -33,7 +33,8 @@ struct Range {
 
   /// Whether the value is finite and lies in the range.
   bool contains(double value) const;
-  /// "above 0 Pa", "between 0 and 1", "at least 3, below 5", "any finite number".
+  /// The range in words: "above 0 Pa", "between 0 and 1", "at least 3 and below 5", "any finite number". Angles are
+  /// given in degrees.
   std::string describe(const Dimension& dimension = dimension::dimensionless) const;
 };
 

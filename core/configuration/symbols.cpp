@@ -55,7 +55,7 @@ constexpr std::array symbols{
     Symbol{"M", {"oedometric_modulus"}},
 };
 
-/// The tables of a key, and its last part.
+/// The path of the table of a key, and the last part of the key.
 std::pair<std::string_view, std::string_view> split(std::string_view key) {
   const std::size_t dot = key.rfind('.');
   if (dot == std::string_view::npos) return {"", key};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Keys of a configuration by the symbols that the paper, and the field, write for them: "k", "e_0", "mu", "A".
+// Finds the key for a symbol of the paper or of the field, such as "k", "e_0", "mu" or "A".
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace flowslide {
 
-/// The last parts of the keys that `symbol` may stand for, the likeliest first: "k" gives "hydraulic_conductivity".
-/// Underscores do not count, upper and lower case do. Empty when it is no symbol.
+/// The last parts of the keys that `symbol` may mean, the most likely first: "k" gives "hydraulic_conductivity".
+/// Underscores are ignored; upper and lower case differ. Empty if the symbol is not known.
 std::vector<std::string> keys_of_symbol(std::string_view symbol);
 
-/// The one of `keys` that `key` means when its last part is a symbol: "slope.k" gives "slope.hydraulic_conductivity".
-/// Of several that in the table whose name is nearest. Empty when there is none.
+/// The key in `keys` that `key` means if its last part is a symbol: "slope.k" gives "slope.hydraulic_conductivity". Of
+/// several such keys, the one whose table has the nearest name. Empty if there is none.
 std::string key_meant(std::string_view key, const std::vector<std::string>& keys);
 
 }  // namespace flowslide

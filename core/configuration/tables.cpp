@@ -6,7 +6,7 @@
 namespace flowslide {
 
 std::string Tables::key(const char* name) const {
-  // All are asked, so that each knows the key: one that a nearer table overrides is no misspelling.
+  // Asks every table, which marks the key as known in each. An overridden key is not a misspelled one.
   std::string found;
   for (const std::string& table : tables_.names()) {
     const std::string candidate = table + "." + name;
@@ -33,7 +33,7 @@ std::vector<std::string> with_like(const Configuration& configuration, const std
   for (std::string key = tables.front() + ".like"; configuration.has(key); key = tables.back() + ".like") {
     const std::string next = list + "." + configuration.text(key, configuration.subtables(list));
     if (std::find(tables.begin(), tables.end(), next) != tables.end())
-      configuration.refuse(key, "leads back to a table that is like this one", "name a table that is like no other");
+      configuration.refuse(key, "closes a loop of tables, each like the next", "name a table without `like`");
     tables.push_back(next);
   }
   return tables;

@@ -10,7 +10,7 @@
 
 namespace flowslide {
 
-/// Names of tables of a configuration that stand in for each other, such as "point.pulse.loading", then "loading".
+/// Names of the tables in which a key is looked up, in this order: "point.pulse.loading", then "loading".
 class TableNames {
  public:
   TableNames(const char* name) : names_{name} {}
@@ -24,15 +24,15 @@ class TableNames {
   std::vector<std::string> names_;
 };
 
-/// The getters of Configuration for the keys of such tables: a key is read from the first table that has it. A message
-/// about a key that is missing names the first table that is the user's, or else the last.
+/// The getters of Configuration for such tables. A key is read from the first table that has it. The message about a
+/// missing key names the first table that the user added (see is_users_table), or else the last table.
 class Tables {
  public:
   /// `configuration` must outlive it.
   Tables(const Configuration& configuration, TableNames tables)
       : configuration_(configuration), tables_(std::move(tables)) {}
 
-  /// The whole key, with the table that has it.
+  /// The whole key: the first table that has it, then `name`.
   std::string key(const char* name) const;
   bool has(const char* name) const { return configuration_.has(key(name)); }
   std::string text(const char* name, const std::vector<std::string>& allowed = {}) const {
@@ -58,7 +58,7 @@ class Tables {
     return configuration_.integers(key(name), range);
   }
   bool flag(const char* name) const { return configuration_.flag(key(name)); }
-  /// Marks keys as known in each of the tables.
+  /// Marks these keys as known in all tables.
   void accept(std::initializer_list<const char*> names) const;
   [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& mend) const {
     configuration_.refuse(key(name), problem, mend);
@@ -71,12 +71,12 @@ class Tables {
   TableNames tables_;
 };
 
-/// The tables where the keys of [<list>.<name>] stand: its own, then [<list>.<other>] if it says like = "<other>", and
-/// so on. Throws ConfigurationError when a table of that name is missing, or when the tables are like each other in a
-/// circle.
+/// The tables in which keys of [<list>.<name>] are looked up: the table itself; with `like = "other"`, then
+/// [<list>.other]; and so on for its own `like`. Throws ConfigurationError if a table does not exist, or if the chain
+/// of `like` returns to one of its tables.
 std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name);
 
-/// The tables `name` within each of `tables`, then `others`.
+/// Order of lookup: the tables `name` below each of `tables`, then `others`.
 TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others);
 
 }  // namespace flowslide

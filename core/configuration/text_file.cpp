@@ -15,7 +15,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view mark_of_utf8 = "\xEF\xBB\xBF";
-/// UTF-16 and UTF-32, in either order of bytes; the marks of UTF-32 in little-endian begin as one of UTF-16.
+/// Byte-order marks of UTF-16 and UTF-32. The mark of little-endian UTF-32 begins with that of UTF-16.
 constexpr std::array marks_of_others{"\xFF\xFE"sv, "\xFE\xFF"sv, "\0\0\xFE\xFF"sv};
 
 }  // namespace

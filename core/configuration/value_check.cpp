@@ -37,13 +37,13 @@ void check_range(std::string_view key, const Scalar& scalar, double value, const
                scalar.place.line == 0 ? "give another" : "change it there or give another with --set");
 }
 
-/// An integer that no double distinguishes from its neighbours is not taken from a double.
+/// 2^53. Beyond it a double does not represent every integer, so a larger double is not read as an integer.
 constexpr double largest_exact_integer = 9007199254740992.0;
 
 }  // namespace
 
 void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem, std::string_view mend) {
-  const bool from_option = scalar.place.line == 0;  // then the place shows key and value already
+  const bool from_option = scalar.place.line == 0;  // the place of an option includes key and value
   const std::string what = from_option ? "the value" : fmt::format("{} = {}", key, scalar.written);
   throw ConfigurationError(
       fmt::format("{}: {} {}{}{}", scalar.place.text(), what, problem, mend.empty() ? "" : "; ", mend));

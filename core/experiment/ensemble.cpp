@@ -8,7 +8,7 @@
 namespace flowslide {
 namespace {
 
-/// A column over an abscissa that only grows: integrals by trapezoids.
+/// A column over an increasing abscissa, and its integral by the trapezoidal rule.
 class Curve {
  public:
   Curve(const Series& series, const std::string& column, const std::string& abscissa) {
@@ -43,10 +43,10 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? -std::numeric_limits<double>::infinity() : *std::max_element(values.begin(), values.end());
 }
 
-/// "loose 3f..." is key 3f... of the table loose.
+/// The table of a sample. "loose 3f..." is a sample of the table [sample.loose] with the key 3f... (see Provenance).
 std::string table_of_sample(const std::string& sample) { return sample.substr(0, sample.find(' ')); }
 
-/// The axis and the columns of a series, but for the abscissa.
+/// The axis and all columns of a series except the abscissa.
 std::vector<Column> ordinates(const Series& series, const std::string& abscissa) {
   std::vector<Column> columns{series.axis};
   columns.insert(columns.end(), series.columns.begin(), series.columns.end());
@@ -54,7 +54,7 @@ std::vector<Column> ordinates(const Series& series, const std::string& abscissa)
   return columns;
 }
 
-/// Median, lowest and highest of one column.
+/// The three columns of a band for one column of the series: median, lowest and highest.
 class BandColumns {
  public:
   explicit BandColumns(const Column& column) {
@@ -172,7 +172,7 @@ Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows
     from = values.empty() ? to : std::max(from, values.front());
     to = std::min(to, largest(values));
   }
-  if (!(to > from)) rows = 0;  // the columns alone
+  if (!(to > from)) rows = 0;  // columns without values
   Series band;
   band.axis = first.column(abscissa);
   band.axis.values.clear();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Replicates of one run, and what can be said of them together: after its peak a sample's answer is one draw of many.
+// Statistics over the replicates of one run. After the stress peak the response of one sample is one realization of
+// many, so one run alone says little.
 #pragma once
 #include <limits>
 #include <map>
@@ -13,61 +14,63 @@ namespace flowslide {
 
 /// The results of the replicates of one run, at least one.
 using Ensemble = std::vector<Result>;
-/// Ensembles by the name of their run.
+/// Run name -> its ensemble.
 using Ensembles = std::map<std::string, Ensemble>;
 
-/// Centre and scatter of some values; not numbers where there are none.
+/// Mean, median and scatter of n values. All members are NaN if there is no value.
 struct Statistics {
   double median = std::numeric_limits<double>::quiet_NaN();
   double mean = median;
   double lowest = median, highest = median;
-  double deviation = median;       ///< standard deviation of one value, with n - 1; 0 for a single one
-  double standard_error = median;  ///< of the mean, deviation/sqrt(n); 0 for a single value
+  double deviation = median;       ///< standard deviation with the divisor n - 1; 0 if n = 1
+  double standard_error = median;  ///< standard error of the mean, deviation/sqrt(n); 0 if n = 1
 };
 
-/// Not numbers, too, if one of the values is none.
+/// The statistics of `values`. All members are NaN if one of the values is NaN.
 Statistics statistics_of(std::vector<double> values);
 
-/// A metric of one result; NaN if it has none of that name.
+/// A metric of one result; NaN if the result has no metric of this name.
 double metric_of(const Result& result, const std::string& metric);
 
-/// The values of a metric in those replicates that have it.
+/// The values of a metric in all replicates that have it.
 std::vector<double> values_of(const Ensemble& ensemble, const std::string& metric);
 
-/// Of a metric in those replicates that have it.
+/// The statistics of a metric over all replicates that have it.
 Statistics statistics_of(const Ensemble& ensemble, const std::string& metric);
 
-/// A parameter of the runs, such as hydraulic_conductivity (see slide_point.hpp), which all replicates share. NaN if
-/// they have none of that name.
+/// A parameter that all replicates share, such as hydraulic_conductivity (see slide_parameters.hpp). NaN if they have
+/// no parameter of this name.
 double parameter_of(const Ensemble& ensemble, const std::string& name);
 
-/// Two results on one sample.
+/// Two results of the same replicate, to be compared.
 using Pair = std::pair<const Result*, const Result*>;
 
-/// Pairs of results of the same replicate, in the order of the first ensemble. Results on two samples of one table
-/// [sample.<name>] make no pair; those on samples of two tables do, as their seeds are of one number.
+/// Pairs of results of the same replicate, in the order of the first ensemble. If both results use samples of the same
+/// table [sample.<name>], they must use the same sample. Samples of two different tables may form a pair, because they
+/// belong to the same replicate.
 std::vector<Pair> paired(const Ensemble& first, const Ensemble& second);
 
-/// The values of a metric in both results of each pair; not a number where one lacks it.
+/// The values of a metric in both results of each pair; NaN for a result without this metric.
 std::vector<std::pair<double, double>> paired_values(const std::vector<Pair>& pairs, const std::string& metric);
 
-/// For each metric that all replicates have: "<metric>.median", ".mean", ".lowest", ".highest", ".deviation" and
-/// ".standard_error".
+/// Statistics of each metric that all replicates have. Names: "<metric>.median", ".mean", ".lowest", ".highest",
+/// ".deviation" and ".standard_error".
 std::map<std::string, double> summary_of(const Ensemble& ensemble);
 
-/// Mean of `column` between two values of `abscissa` (a column or the axis), its rows joined by straight lines. Where
-/// the abscissa runs back, the rows until it is passed again are left out. NaN if the series does not reach `from`.
+/// Mean of `column` over `abscissa` (a column or the axis) from `from` to `to` or to the end of the series, by the
+/// trapezoidal rule. Rows whose abscissa does not exceed all earlier values are left out. NaN if the series does not
+/// extend beyond `from`.
 double mean_between(const Series& series, const std::string& column, const std::string& abscissa, double from,
                     double to);
 
-/// Median, lowest and highest of all replicates over `abscissa`, for `rows` equal intervals of the range that all of
-/// them cover: each value is the mean over its interval, so that noise between rows does not count as spread. Columns
-/// "<column>_median", "<column>_lowest", "<column>_highest" in the order of the series, the axis first where it is not
-/// the abscissa. Without rows if the replicates share no range.
+/// Median, lowest and highest value of all replicates over `abscissa`. The range that all replicates cover is divided
+/// into `rows` equal intervals. The value of one replicate is its mean over the interval, so noise within an interval
+/// does not count as scatter. Columns "<column>_median", "<column>_lowest", "<column>_highest" in the order of the
+/// series; the axis comes first unless it is the abscissa. Without rows if the replicates share no range.
 Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows);
 
-/// The same, row by row, of series that share their axis, such as profiles, as far as the shortest goes.
-/// Columns that one of them lacks are left out.
+/// Median, lowest and highest value row by row, for series that share their axis, such as profiles. Ends with the
+/// shortest series. Columns that one of the series does not have are left out.
 Series band_of_rows(const std::vector<Series>& replicates);
 
 }  // namespace flowslide

@@ -7,8 +7,8 @@
 
 namespace flowslide {
 
-/// A loading table as a result keeps it: columns "time" (s) and "stress_change" (Pa). `file` is its name in the
-/// configuration.
+/// A loading table in the form that a result stores: columns "time" (s) and "stress_change" (Pa, positive downslope).
+/// `file` is its name in the configuration.
 InputTable input_table(const std::string& file, const StressTable& table);
 
 }  // namespace flowslide

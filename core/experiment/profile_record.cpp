@@ -14,8 +14,8 @@
 namespace flowslide {
 namespace {
 
-/// Mean v_x of the layer that is glued to the top plane, or of the upper face where there is none, relative to the
-/// bottom, m/s.
+/// Mean v_x of the layer glued to the top plane, m/s. In a cell that is periodic along z: the velocity of the upper
+/// face relative to the bottom.
 double top_velocity(const Assembly& assembly) {
   if (assembly.cell.periodic[2]) return assembly.cell.shear_velocity;
   double sum = 0.0;
@@ -94,7 +94,7 @@ Series ProfileRecord::series() const {
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
   for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
     const ProfileSums& sums = sums_[i];
-    // Of a sample that stands still or bears nothing there are no shares. Those behind it would take its place.
+    // The ratios do not exist. The loop ends here, because the columns of later profiles are numbered by position.
     if (sums.top_velocity == 0.0 || sums.sample_shear == 0.0 || sums.sample_normal == 0.0) break;
     const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i + 1); };
     const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);

@@ -8,39 +8,41 @@
 
 namespace flowslide {
 
-/// When profiles over the height of a sample are taken (Fig. 10).
+/// When profiles over the height of a sample are taken (Fig. 10). A profile is a mean over several snapshots, because a
+/// sublayer has few grains and one snapshot is noisy.
 struct ProfilePlan {
-  int sublayers = 10;
-  int snapshots = 1;             ///< whose mean a profile is: the few grains of a sublayer are noise
-  double window = 0.0;           ///< that the snapshots are spread over, as a share of the strain where it begins
-  std::vector<double> strains;   ///< shear strains of the layer at which the windows begin, growing; may be none
+  int sublayers = 10;            ///< number of sublayers over the height
+  int snapshots = 1;             ///< snapshots per profile, >= 1
+  double window = 0.0;           ///< the snapshots are spread over the strain `window` times the first strain
+  std::vector<double> strains;   ///< shear strain of the first snapshot of each profile, increasing; empty: no profile
 };
 
-/// One profile as far as its snapshots have been taken: sums over them, values per sublayer.
+/// Sums over the snapshots of one profile so far. Vectors of shape (sublayers), from the bottom up.
 struct ProfileSums {
   std::vector<double> velocity, shear, normal;  ///< m/s, Pa, Pa
   double top_velocity = 0.0, sample_shear = 0.0, sample_normal = 0.0;
   int snapshots = 0;
 };
 
-/// Profiles of one slide: column <what>_<i> of `series` belongs to the i-th strain, from 1, over the relative height
-/// z/H from 0 at the bottom to 1 at the top. Each is the sum of its snapshots over the sum of what it is a share of:
-///   velocity_<i>       <v_x> over the velocity of the top layer
-///   shear_stress_<i>   <tau> over tau of the sample
-///   normal_stress_<i>  <sigma> over sigma of the sample
+/// Profiles of one slide over the relative height z/H, from 0 at the bottom to 1 at the top. The columns of `series`
+/// for the i-th strain (from 1) are ratios of sums over the snapshots:
+///   velocity_<i>       <v_x> of the sublayer / velocity of the top layer
+///   shear_stress_<i>   <tau> of the sublayer / tau of the sample
+///   normal_stress_<i>  <sigma> of the sublayer / sigma of the sample
 class ProfileRecord {
  public:
   explicit ProfileRecord(ProfilePlan plan);
 
-  /// Takes a snapshot of the sample if one is due at this strain of the layer, and is cheap if not. The velocity of the
-  /// top layer is that of its grains, or of the upper face in a cell that is periodic along z. Throws NumericalFailure
-  /// if a sublayer holds no solid.
+  /// Takes a snapshot if one is due at this shear strain of the layer; otherwise returns at once. The velocity of the
+  /// top layer is the mean of its grains. In a cell that is periodic along z it is the velocity of the upper face.
+  /// Throws NumericalFailure if a sublayer contains no solid.
   void take(double strain, const DemSample& sample);
-  /// Those profiles that have all their snapshots, up to the first of a sample that stands still or bears no stress.
+  /// The complete profiles. A profile of a sample that does not move or bears no stress has no ratios. This profile and
+  /// all later ones are left out.
   Series series() const;
 
-  /// What has been taken, to be kept, and going on from there. Throws std::invalid_argument for sums that are not of
-  /// this plan.
+  /// The state for a checkpoint. `restore` continues from it and throws std::invalid_argument if it does not fit this
+  /// plan.
   const std::vector<ProfileSums>& sums() const { return sums_; }
   void restore(std::vector<ProfileSums> sums);
 
@@ -52,7 +54,7 @@ class ProfileRecord {
   double next_strain_;
 };
 
-/// R^2, the coefficient of determination, of the straight line that fits a column best over the axis.
+/// Coefficient of determination R^2 of the least-squares line through a column over the axis.
 double linearity(const Series& profiles, const std::string& column);
 
 }  // namespace flowslide

@@ -13,24 +13,25 @@
 namespace flowslide {
 namespace {
 
-// Widths of the first windows: they divide the windows over which the metrics of all cases are means.
+// Widths of the first windows. The metrics of all cases are means over whole multiples of these widths.
 constexpr double time_width = 1e-3;          // s
 constexpr double strain_width = 1.25e-4;     // gamma
 constexpr double displacement_width = 5e-3;  // m
 
-constexpr double steady_from = 0.5;  ///< strain up to which the lowest sigma is looked for
+constexpr double steady_from = 0.5;  ///< the lowest sigma is searched up to this shear strain
 
-/// Without pressure an inertial number has no value; a closed-form sample may have none, or be pulled.
+/// Smallest pressure in an inertial number, which has no value at p = 0. The pressure of a closed-form sample may be
+/// zero or negative.
 constexpr double least_pressure = 1e-6;  // Pa
 
-/// Share of a distance by which a clock that is a product may miss its multiple.
+/// Margin for the rounding of a clock that is computed as a product, as a fraction of the distance.
 constexpr double rounding_of_multiples = 1e-9;
 
 const std::vector<std::string> time_columns{"velocity", "shear_stress", "normal_stress"};
 const std::vector<std::string> displacement_columns{"velocity"};
 const std::vector<std::string> strain_columns{"velocity",     "shear_stress",    "normal_stress",         "rate_asked",
                                               "rate_applied", "inertial_number", "global_inertial_number"};
-constexpr std::size_t without_numbers = 5;  ///< of the strain columns
+constexpr std::size_t without_numbers = 5;  ///< the first strain columns, which are not inertial numbers
 
 WindowRecord windows_of_slide(const std::string& abscissa, const std::vector<std::string>& names, double width) {
   const Series series = slide_series();

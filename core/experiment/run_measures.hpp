@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What metrics are made of. It is gathered at every exchange between slope and sample, so that no metric depends on
-// which rows are kept.
+// The data from which metrics are computed. They are gathered at every exchange between slope and sample, so metrics do
+// not depend on which rows are kept.
 #pragma once
 #include <limits>
 #include <string>
@@ -11,48 +11,50 @@
 
 namespace flowslide {
 
-/// The largest tau up to a shear strain: where a loose sample becomes unstable.
+/// The largest tau up to a given shear strain. A loose sample becomes unstable there.
 struct StressPeak {
   double stress = 0.0;          ///< tau, Pa
-  double normal = 0.0;          ///< sigma there, Pa
-  double strain = 0.0;          ///< shear strain there
-  double time = 0.0;            ///< s
-  double largest_number = 0.0;  ///< largest inertial number of the slope until then
+  double normal = 0.0;          ///< sigma at the peak, Pa
+  double strain = 0.0;          ///< shear strain at the peak
+  double time = 0.0;            ///< time of the peak, s
+  double largest_number = 0.0;  ///< largest inertial number of the slope up to the peak
 };
 
-/// The multiple of `distance` that follows `value`, less a billionth of it: a clock that is a product may miss it so.
+/// The multiple of `distance` that follows `value`, minus 1e-9 `distance`. This margin allows for the rounding of a
+/// clock that is computed as a product.
 double next_multiple(double value, double distance);
 
-/// I of a rate (1/s) under a mean stress (Pa), which counts as 1e-6 Pa at least.
+/// Inertial number I at a strain rate (1/s) and a mean stress (Pa). A mean stress below 1e-6 Pa counts as 1e-6 Pa.
 double number_at(double rate, double mean_stress, const GrainScale& grains);
 
-/// What metrics read of one run.
+/// The data of one run from which metrics are computed.
 struct RunMeasures {
-  Series over_time, over_strain, over_displacement;  ///< windows, see mean_over; without columns where there are none
+  Series over_time, over_strain, over_displacement;  ///< means over windows (see mean_over); no columns: none gathered
   StressPeak peak_to_2, peak_to_5;                   ///< up to 2 % and up to 5 % strain
   double lowest_normal_stress = 0.0;                 ///< up to 50 % strain, Pa
 
-  /// Those of the windows that have columns, for a result.
+  /// The windows that have columns, for a result.
   std::vector<Series> windows() const;
 };
 
-/// Measures of a run that is there as rows, such as an element test, whose rows stand at fixed strains.
+/// Measures of a run that is given as rows, such as an element test with rows at fixed strains.
 RunMeasures measures_of_rows(const Series& rows);
 
-/// Gathers the measures of a slide. Kept and restored with the slide, it goes on bit for bit. Means over time and over
-/// displacement take every global step. Means over strain take the steps in which the sample was sheared, joined by
-/// straight lines: the stress that eq. 18 holds in between lags behind the strain of the slope.
+/// Gathers the measures of a slide. A record that is restored together with its slide continues bit for bit. Means over
+/// time and over displacement use every global step. Means over strain use only the steps in which the sample was
+/// sheared, joined by straight lines: between them eq. 18 holds the stress, which lags behind the strain of the slope.
 struct ExchangeRecord {
-  /// Grains and the time between two measurements of p for the inertial numbers, s. Without it there are none of those.
+  /// `mean_stress_interval`: time between two measurements of p, s. Without it no inertial numbers are gathered.
   explicit ExchangeRecord(const GrainScale& grains = {},
                           double mean_stress_interval = std::numeric_limits<double>::infinity());
 
-  /// At the start of a slide and after each global step.
+  /// Adds the state of the slide. Call it at the start of a slide and after each global step.
   void take(const Slide& slide);
-  /// The peaks alone: of a moment (s), strain, stresses (Pa) and inertial number of the slope.
+  /// Updates only the peaks and the lowest sigma. Arguments: time (s), shear strain, tau and sigma (Pa), inertial
+  /// number of the slope.
   void take_peaks(double time, double strain, const BasalStress& stress, double number);
   RunMeasures measures() const;
-  /// Goes on from what was kept of a record of the same slide. Throws std::invalid_argument if it has other windows.
+  /// Continues from the record in a checkpoint of the same slide. Throws std::invalid_argument if its windows differ.
   void restore(const ExchangeRecord& kept);
 
   GrainScale grains;
@@ -60,19 +62,20 @@ struct ExchangeRecord {
   WindowRecord over_time, over_strain, over_displacement;
   StressPeak peak_to_2, peak_to_5;
   double lowest_normal_stress = 0.0;
-  std::int64_t taken = 0;          ///< how often it was called
-  std::int64_t strained_steps = 0; ///< local steps of the sample when the means over strain took it last
-  double largest_strain = 0.0;     ///< so far
-  double largest_number = 0.0;     ///< of the slope so far
+  std::int64_t taken = 0;          ///< number of states taken so far
+  std::int64_t strained_steps = 0; ///< local steps of the sample at the last state in the means over strain
+  double largest_strain = 0.0;     ///< largest shear strain so far
+  double largest_number = 0.0;     ///< largest inertial number of the slope so far
   double mean_stress = 0.0;        ///< p as last measured, Pa
-  double mean_stress_time = -1.0;  ///< when, s
-  double next_mean_stress = 0.0;   ///< when it is measured again, s
+  double mean_stress_time = -1.0;  ///< time of that measurement, s
+  double next_mean_stress = 0.0;   ///< time of the next measurement, s
 
  private:
   bool has_numbers() const;
 };
 
-/// Every number of a record but those of its windows: calls `visit(name, member)`.
+/// Calls `visit(name, member)` for every number of a record except those of its windows. Writing and reading
+/// checkpoints share this list.
 template <typename Record, typename Visit>
 void for_each_number_of(Record& record, Visit&& visit) {
   const auto peak = [&](const std::string& name, auto& member) {

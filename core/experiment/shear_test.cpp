@@ -16,10 +16,11 @@
 namespace flowslide {
 namespace {
 
-/// Steps that no computer ever takes, and that a double still counts one by one.
+/// More steps than any test needs. A double represents every integer up to this number.
 constexpr double most_steps = 1e15;
 
-/// Stands at a shear strain, which is given: a sum over the runs so far would depend on how many there were.
+/// One row at the shear strain `strain`. The strain is an argument, because a sum over the runs of the sample would
+/// depend, by its rounding, on the number of runs.
 std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, double shear_rate, double strain) {
   const Material& material = sample.settings().material;
   const ContactForces forces = evaluate_contact_forces(assembly, material, sample.settings().time_step);
@@ -105,7 +106,7 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
                     "{}",
                     kept.size(), fixed.size(), k, m));
   std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);
-  sample.start_linear_at_first_strain();  // the first row is at rest
+  sample.start_linear_at_first_strain();  // the row before the first strain shows the sample at rest
   while (k < kept.size() || m < fixed.size()) {
     const bool keep = k < kept.size() && (m == fixed.size() || kept[k] <= fixed[m]);
     const bool measure = m < fixed.size() && (k == kept.size() || fixed[m] <= kept[k]);

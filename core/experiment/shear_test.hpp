@@ -12,45 +12,48 @@ namespace flowslide {
 /// A constant-volume (undrained) simple shear test at a constant rate.
 struct ShearTest {
   double shear_rate = 0.06;      ///< 1/s
-  double final_strain = 0.5;     ///< gamma
-  int rows = 500;                ///< that are kept; closer together at the start, where the peak is
-  double inertial_number = 0.0;  ///< I of that rate at the initial normal stress; 0: the rate was chosen as such
-  /// Rows that metrics are made of, whatever rows are kept.
+  double final_strain = 0.5;     ///< gamma at the end
+  int rows = 500;                ///< number of rows kept; they are closer at the start, where the peak is
+  double inertial_number = 0.0;  ///< I of `shear_rate` at the initial normal stress; 0: the rate itself was chosen
+  /// Number of rows from which metrics are computed. It is fixed, so metrics do not depend on `rows`.
   static constexpr int measured_rows = 500;
 
-  /// Steps in all, with a time step in s. Throws std::invalid_argument for more than can be counted.
+  /// Number of time steps of the test, for a time step in s. Throws std::invalid_argument above 1e15 steps.
   std::int64_t steps(double time_step) const;
-  /// Steps at which the rows are taken: gamma = final_strain (k/rows)^2, rounded, each at least one step after the
-  /// other, from 0 on.
+  /// Step numbers at which rows are taken, from 0: the steps nearest to gamma = final_strain (k/rows)^2, k = 0..rows.
+  /// Rows that would fall on the same step are taken once.
   std::vector<std::int64_t> row_steps(double time_step) const { return row_steps(time_step, rows); }
-  /// The same of the measured rows.
+  /// The same for the measured rows.
   std::vector<std::int64_t> measured_steps(double time_step) const { return row_steps(time_step, measured_rows); }
 
  private:
   std::vector<std::int64_t> row_steps(double time_step, int count) const;
 };
 
-/// The test of a sample of that recipe with grains of that mean diameter (m): an inertial number stays, and the shear
-/// rate follows from it. What is read has the packing that the search for the sample begins with.
+/// The test for a sample with this recipe and mean diameter (m). If the test has an inertial number, its shear rate is
+/// computed from it. read_shear_test knows only the packing with which the search for the sample starts; call this
+/// function again for the sample that was found.
 ShearTest for_sample(ShearTest test, const SampleRecipe& recipe, double mean_diameter);
 
-/// Columns of an element test in the order of the tables: shear strain, the stress that a slope is told, mean stress,
-/// inertial number, void ratio, and shear and normal stress by Bagi, by Nicot and of the kinetic part.
+/// An empty record of an element test, with the columns in the order of the tables. They are shear strain; shear and
+/// normal stress as passed to a slope; mean stress; inertial number; void ratio; shear and normal stress by Bagi (eq.
+/// 12) and by Nicot (eq. 13), and their kinetic part (eq. 14). The axis is time.
 Series shear_test_series();
 
 /// The record of an element test.
 struct ShearTestRecord {
-  Series rows = shear_test_series();      ///< as many as the test keeps
-  Series measured = shear_test_series();  ///< at fixed strains: what metrics are made of
+  Series rows = shear_test_series();      ///< the rows that the test keeps
+  Series measured = shear_test_series();  ///< rows at fixed strains, from which metrics are computed
 };
 
-/// What is told after each row that is kept; it may end the test by an exception, to be gone on with.
+/// Called after each row that is kept, with the number of steps done. It may throw to stop the test; a stopped test can
+/// be continued.
 using RowObserver = std::function<void(std::int64_t steps, const Assembly& assembly, const ShearTestRecord& record)>;
 
-/// Shears a sample from a linear velocity field and records it. The mean stress is that of the bulk (see bulk_stress)
-/// with the kinetic part, and the inertial number is built on it, so that it stays finite when no contact is left.
-/// `so_far` is the record of a test that is gone on with, by a sample that stands at the last of its rows.
-/// Throws NumericalFailure.
+/// Shears a sample, from a linear velocity field on, and records it. The mean stress is that of the bulk with its
+/// kinetic part (see bulk_mean_stress). The inertial number uses this mean stress, so it stays finite when all contacts
+/// open. To continue a stopped test, pass its record as `so_far` and the sample in its state at the last row. Throws
+/// NumericalFailure, and std::invalid_argument if `so_far` has more rows than the test.
 ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe = {},
                                    ShearTestRecord so_far = {});
 

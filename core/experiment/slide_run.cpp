@@ -32,7 +32,7 @@ void append_row(SlideRecord& record, const Slide& slide) {
   record.series.append_row(state.time, values);
 }
 
-/// Keeps every second value, the first among them.
+/// Keeps every second value, starting with the first.
 void halve(std::vector<double>& values) {
   for (std::size_t i = 0; 2 * i < values.size(); ++i) values[i] = values[2 * i];
   values.resize((values.size() + 1) / 2);

@@ -12,31 +12,33 @@
 
 namespace flowslide {
 
-/// Where rows of the record are taken: whenever the clock or the shear strain of the layer passes a multiple. There are
-/// never more than `most_rows`: then every second one is dropped and both distances are doubled.
+/// Spacing of the rows of a record. A row is taken when the clock passes a multiple of `interval` or the shear strain
+/// of the layer passes a multiple of `strain`. When `most_rows` is reached, every second row is dropped and both
+/// distances are doubled.
 struct RowSpacing {
   double interval = std::numeric_limits<double>::infinity();  ///< s
   double strain = std::numeric_limits<double>::infinity();    ///< gamma
-  std::int64_t most_rows = 2000;                              ///< the first and the last always among them
+  std::int64_t most_rows = 2000;                              ///< includes the first and the last row of the slide
 };
 
-/// The record of a slide. Kept with the slide's state and its sample, it goes on where it was.
+/// The record of a slide. If it is restored together with the slide and its sample, it continues bit for bit.
 struct SlideRecord {
-  RowSpacing spacing{};              ///< as it is now
-  GrainScale grains{};               ///< of the inertial number
+  RowSpacing spacing{};              ///< present spacing, after all doublings
+  GrainScale grains{};               ///< for the inertial numbers
   Series series = slide_series();
-  double next_time = 0.0;            ///< where the next row is due, s
-  double next_strain = 0.0;          ///< or here
-  ExchangeRecord exchanges{};        ///< what metrics are made of, whatever rows are kept
+  double next_time = 0.0;            ///< a row is due at this time, s,
+  double next_strain = 0.0;          ///< or at this shear strain
+  ExchangeRecord exchanges{};        ///< data for metrics, independent of the rows kept
 };
 
-/// Called after each global step, for progress, profiles and signals. false ends the run.
+/// Called after each global step, for progress, profiles and signals. Returns false to end the run. It must be cheap.
 using StepObserver = std::function<bool(const SlideState&)>;
 
-/// Steps a slide until a condition is met, and records it. Returns that condition, or Stop::not_yet if `go_on` ended
-/// the run; only then there is no last row. The mean stress of a row is that of the sample's bulk (see Sample::mean_stress), and
-/// its inertial numbers are built on it: of the rate applied, and of the rate of the slope, which in RI differ.
-/// Throws NumericalFailure.
+/// Steps a slide until one of the conditions is met, and records it. Returns this condition. Returns Stop::not_yet if
+/// `go_on` ended the run; then the present state gets no row. The mean stress of a row is that of the bulk of the
+/// sample (see Sample::mean_stress). A row has two inertial numbers with this mean stress: of the strain rate applied
+/// to the sample, and of the strain rate of the slope. In RI they differ. Throws NumericalFailure, and
+/// std::invalid_argument if the conditions are not valid.
 Stop run_slide(Slide& slide, const StopConditions& conditions, SlideRecord& record, const StepObserver& go_on = {});
 
 }  // namespace flowslide

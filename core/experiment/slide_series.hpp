@@ -4,7 +4,7 @@
 
 namespace flowslide {
 
-/// Columns of a slide in the order of the tables; the axis is the global clock.
+/// An empty record of a slide, with the columns in the order of the tables. The axis is the global clock, s.
 Series slide_series();
 
 }  // namespace flowslide

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Means of a curve over fixed windows of its abscissa (time, strain, distance). They do not depend on which rows of the
-// curve are kept, so metrics are made of them.
+// Means of a curve over fixed windows of its abscissa (time, strain or displacement). They do not depend on which rows
+// of the curve are kept. Metrics are therefore computed from them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,24 +12,25 @@
 
 namespace flowslide {
 
-/// Upper end of window `number`, from 1, where the first ones are `width` wide. After 1024 windows the width doubles,
-/// and after each 512 again: a window is at most 1/512 of its abscissa wide, and long records have few.
+/// Upper end of window `number` (from 1). The first windows have the width `width`. The width doubles after 1024
+/// windows and then after every 512 windows. A wider window is at most 1/512 of its abscissa wide, and long records
+/// have few windows.
 double window_end(double width, std::int64_t number);
 
-/// Gathers the means. Kept and restored member by member, it goes on bit for bit.
+/// Gathers the means. A record whose members are all restored continues bit for bit.
 struct WindowRecord {
-  double width = 0.0;            ///< of the first windows, > 0
+  double width = 0.0;            ///< width of the first windows, > 0
   Series means{};                ///< complete windows: the axis holds their upper ends, the columns the means
-  std::int64_t number = 0;       ///< of the open window; 0 before the first point
-  double begin = 0.0;            ///< where the open window begins: its lower end, or the first point of the curve
-  double at = 0.0;               ///< last point of the curve
-  std::vector<double> values{};  ///< there
+  std::int64_t number = 0;       ///< number of the open window; 0 before the first point
+  double begin = 0.0;            ///< start of the open window: its lower end, or the first point of the curve
+  double at = 0.0;               ///< abscissa of the last point
+  std::vector<double> values{};  ///< columns at the last point
   std::vector<double> sums{};    ///< integrals over the open window so far
 
-  /// The next point, joined to the last by a straight line; `now` has a value for each column. Where the abscissa runs
-  /// back, nothing is added until it is passed again. A point that is not finite is left out.
+  /// Adds a point at the abscissa `where`; `now` has one value for each column. A straight line joins the point to the
+  /// last one. A point whose abscissa is not finite, or not above the last one, is left out.
   void add(double where, std::span<const double> now);
-  /// All windows, the last one as far as the curve goes.
+  /// All windows. The last one ends at the last point.
   Series series() const;
 
  private:
@@ -38,21 +39,21 @@ struct WindowRecord {
   void close();
 };
 
-/// Empty windows of an axis and some columns.
+/// A record without points, for this axis and these columns.
 WindowRecord window_record(const Column& axis, std::vector<Column> columns, double width);
 
-/// Windows of a curve that is there as rows: of those of `columns` that it has.
+/// Windows of a curve that is given as rows, for those of `columns` that it has.
 Series windows_of_rows(const Series& rows, const std::string& abscissa, const std::vector<std::string>& columns,
                        double width);
 
-/// Mean of a column of such windows between two values of the abscissa, in which each window counts with its mean. Ends
-/// with the record; NaN if that does not reach beyond `from`, or lacks the column.
+/// Mean of a column from `from` (at least 0) to `to`, or to the end of the windows. The column counts as constant
+/// within each window. NaN if the windows end at or before `from`, or if there is no such column.
 double mean_over(const Series& windows, const std::string& column, double from, double to);
 
-/// Where such windows end; 0 if there are none.
+/// Upper end of the last window; 0 if there are no windows.
 double end_of(const Series& windows);
 
-/// The windows of a result over this abscissa; empty if it has none.
+/// The windows of a result over this abscissa; an empty series if it has none.
 const Series& windows_over(const Result& result, const std::string& abscissa);
 
 }  // namespace flowslide

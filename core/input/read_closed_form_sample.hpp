@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Samples that stand in for DEM where grains do not matter, from their tables of a configuration.
+// Reads the closed-form samples from their tables of a configuration. They replace DEM where grains do not matter.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,9 +10,10 @@
 
 namespace flowslide {
 
-/// The sample of that name, in balance with the slope (eqs 8 and 9). [elastic]: shear_modulus, oedometric_modulus,
-/// viscosity, void_ratio. [critical_state]: the fields of CriticalStateProperties by their names, but for the stresses
-/// and the substep. Throws ConfigurationError, also if tau_0 exceeds the strength.
+/// The sample `name`, under the initial stresses of the slope (eqs 8 and 9). Keys of [elastic]: shear_modulus,
+/// oedometric_modulus, viscosity, void_ratio. Keys of [critical_state]: the members of CriticalStateProperties by their
+/// names, except the stresses and the substep. Throws ConfigurationError, also if the properties are not valid or if
+/// tau_0 exceeds the strength of the sample.
 std::unique_ptr<Sample> read_closed_form_sample(const Configuration& configuration, const std::string& name,
                                                 const SlopeProperties& slope);
 

@@ -13,7 +13,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double most_steps_allowed = 1e12;  // a double counts them one by one
+constexpr double most_steps_allowed = 1e12;  // a double represents every integer up to this number
 
 ConstantRate read_constant_rate(const Tables& table) {
   ConstantRate loading{table.quantity("rate", dimension::stress_rate)};
@@ -36,14 +36,14 @@ std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
                        coupling.positive("rested_strain", dimension::dimensionless)};
 }
 
-/// Refuses a dt_G beyond the limit of stability `limit` (s) of `what`.
+/// Refuses dt_G above `limit` (s), the limit of stability of `what`.
 void check_stability(const Tables& table, double time_step, double limit, const std::string& what) {
   if (time_step <= limit) return;
   table.refuse("time_step", fmt::format("is unstable: {} allows at most {:.3g} s", what, limit),
                "choose a smaller step, or give --allow-unstable to see what happens");
 }
 
-/// Refuses portions of strain that hide from the slope what its sample answers meanwhile.
+/// Refuses n_accum if the slope would use a held stress for too long: see read_coupling. `swing_limit` is 2/omega, s.
 void check_portions(const Tables& table, const SlideSettings& settings, double swing_limit) {
   double least = 1.0;
   if (const auto* carry = std::get_if<CarryRemainder>(&settings.passing.rule))
@@ -56,13 +56,13 @@ void check_portions(const Tables& table, const SlideSettings& settings, double s
                            std::holds_alternative<ConstantInertialNumber>(settings.rate);
   if (!at_own_rate && duration > swing_limit)
     table.refuse("n_accum",
-                 fmt::format("holds the stress for {:.3g} s, in which the slope swings on unanswered: at most {:.3g} s, "
-                             "2/omega", duration, swing_limit), "choose a smaller one");
+                 fmt::format("holds the stress for {:.3g} s while the slope oscillates: at most {:.3g} s, 2/omega, is "
+                             "allowed", duration, swing_limit), "choose a smaller one");
   const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
   if (portion > largest_portion)
     table.refuse("n_accum",
-                 fmt::format("passes strain in portions of {:.3g}, in which the peak of the shear stress goes by unseen: "
-                             "at most {:.3g}", portion, largest_portion), "choose a smaller one");
+                 fmt::format("passes a strain of {:.3g} at once, which may hide the peak of the shear stress: at most "
+                             "{:.3g} is allowed", portion, largest_portion), "choose a smaller one");
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ RowSpacing read_row_spacing(const Configuration& configuration, const TableNames
   if (rows.has("row_interval")) spacing.interval = rows.positive("row_interval", dimension::time);
   if (rows.has("row_strain")) spacing.strain = rows.positive("row_strain", dimension::dimensionless);
   if (!rows.has("row_interval") && !rows.has("row_strain"))
-    rows.refuse("most_rows", "says nothing of the distance of rows", "give row_interval, row_strain or both");
+    rows.refuse("most_rows", "does not give the spacing of rows", "give row_interval, row_strain or both");
   return spacing;
 }
 
@@ -187,7 +187,7 @@ void check_strength(const Configuration& configuration, const SlopeProperties& s
   const double ratio = initial_shear_stress(slope) / initial_normal_stress(slope);
   if (ratio < friction) return;
   configuration.refuse("slope.angle",
-                       fmt::format("makes tau_0 {:.3g} of sigma_0, and a sample of friction {:.3g} bears less than "
+                       fmt::format("makes tau_0/sigma_0 = {:.3g}, but a sample with friction {:.3g} bears less than "
                                    "{:.3g}", ratio, friction, friction),
                        "make the slope flatter or the grains rougher");
 }

@@ -9,7 +9,7 @@
 
 namespace flowslide {
 
-/// What a configuration has to know of a field: its key, its unit and its bounds.
+/// The key of a member of a structure (see Field), with its unit and its bounds in SI units.
 struct FieldKey {
   const char* name;
   const char* unit;
@@ -22,7 +22,7 @@ struct FieldKey {
   Range range() const { return {bounds.lowest, bounds.highest, bounds.lowest_allowed, bounds.highest_allowed}; }
 };
 
-/// Reads one value of that key. Throws ConfigurationError as the getters of Configuration do.
+/// Each reads the value of `key`. Each throws ConfigurationError as the getters of Configuration.
 void read_value(const Tables& tables, const FieldKey& key, double& value);
 void read_value(const Tables& tables, const FieldKey& key, int& value);
 void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value);
@@ -31,11 +31,11 @@ void read_value(const Tables& tables, const FieldKey& key, DragReference& value)
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values);
 void read_value(const Tables& tables, const FieldKey& key, std::array<int, 3>& values);
 
-/// Throws std::logic_error unless each of `names` is the name of one of `fields`.
+/// Throws std::logic_error unless `fields` contains each of `names`.
 void require_names(std::initializer_list<const char*> names, std::initializer_list<const char*> fields);
 
-/// Reads every field of `owner` from `tables`, each from the key of its name, but for those named in `elsewhere`. A
-/// member that is new to the structure is read from `tables` unless it is named there.
+/// Reads every field of `owner` from the key of its name in `tables`, except the fields named in `elsewhere`. A field
+/// that is added to the structure is therefore read without a change here.
 template <HasFields Owner>
 void read_fields(const Tables& tables, Owner& owner, std::initializer_list<const char*> elsewhere = {}) {
   std::apply([&](const auto&... field) { require_names(elsewhere, {field.name...}); }, Owner::fields());
@@ -49,7 +49,7 @@ void read_fields(const Tables& tables, Owner& owner, std::initializer_list<const
   });
 }
 
-/// The key of the field that is that member.
+/// The key of the field that describes `member`.
 template <HasFields Owner, typename Value>
 FieldKey key_of(Value Owner::*member) {
   return std::apply(

@@ -16,8 +16,7 @@
 namespace flowslide {
 namespace {
 
-/// Reads one word as a number; a word that is none, or not finite, is refused. The decimal sign is a point whatever the
-/// locale.
+/// Reads one word as a finite number. Throws ConfigurationError for any other word.
 double number_of(std::string_view word, const std::string& place) {
   std::string_view digits = word;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
@@ -62,7 +61,7 @@ StressTable loading_table_of(std::string_view text, const std::string& origin) {
     const double now = number_of(words[0], place);
     if (!table.time.empty() && now <= table.time.back())
       throw ConfigurationError(fmt::format("{}: the time {} s does not come after {} s; sort the rows by time and "
-                                           "leave no time twice", place, now, table.time.back()));
+                                           "give each time once", place, now, table.time.back()));
     table.time.push_back(now);
     table.change.push_back(number_of(words[1], place));
   }

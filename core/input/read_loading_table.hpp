@@ -8,13 +8,13 @@
 
 namespace flowslide {
 
-/// Reads a loading table from a text file: per line a time in s and the change of the driving shear stress in Pa,
-/// separated by blanks; "#" begins a comment. The decimal sign is a point in every locale. Throws ConfigurationError
-/// with file and line if the file cannot be read (see read_text_file) or is no valid table: empty, unsorted, not
-/// finite, not two numbers.
+/// Reads a loading table from a text file. Each line has a time (s) and the change of the driving shear stress (Pa,
+/// positive downslope), separated by blanks. "#" begins a comment. The decimal sign is a point in every locale. Throws
+/// ConfigurationError if the file cannot be read (see read_text_file), if the table is empty, if a line does not have
+/// two finite numbers, or if the times do not increase. The message gives file and line.
 StressTable read_loading_table(const std::filesystem::path& file);
 
-/// The same from a text; `origin` stands for the file in messages.
+/// The same from a text. Messages name `origin` in place of a file.
 StressTable loading_table_of(std::string_view text, const std::string& origin);
 
 }  // namespace flowslide

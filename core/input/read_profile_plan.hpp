@@ -7,8 +7,9 @@
 
 namespace flowslide {
 
-/// The list `strains_key`, and with it [profiles]: sublayers, snapshots, window. Without the list, no profiles. Throws
-/// ConfigurationError.
+/// Reads the strains at which profiles are taken from the list `strains_key`; without this key there are no profiles.
+/// With it, reads sublayers, snapshots and window from [profiles]. Throws ConfigurationError, also if the strains do
+/// not increase.
 ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key);
 
 }  // namespace flowslide

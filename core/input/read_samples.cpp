@@ -12,7 +12,7 @@
 namespace flowslide {
 namespace {
 
-/// Room between the seeds of two replicates for the trials of a search.
+/// Distance between the seeds of two replicates. It leaves room for the seeds that a search tries.
 constexpr std::uint64_t seeds_per_replicate = 1000;
 
 LatticePacking read_packing(const Configuration& configuration, const TableNames& tables) {
@@ -26,14 +26,14 @@ LatticePacking read_packing(const Configuration& configuration, const TableNames
   return packing;
 }
 
-/// The stages in which drag acts, written as a list of their numbers.
+/// Reads the stages of the preparation in which drag acts: a list of stage numbers from 1 to 4.
 std::array<bool, 4> read_drag_stages(const Tables& table) {
   std::array<bool, 4> acts{};
   for (const std::int64_t stage : table.integers("drag_stages", Range::between(1, 4))) acts[stage - 1] = true;
   return acts;
 }
 
-/// The recipe but for the grains and for what differs between the samples of a configuration.
+/// Reads the part of the recipe that [preparation] gives: all except the grains and the keys of [sample.<name>].
 SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
   const Tables table(configuration, tables);
   SampleRecipe recipe;
@@ -52,7 +52,7 @@ std::uint64_t seed_offset(const Tables& sample, int replicate) {
   return static_cast<std::uint64_t>(replicate) * seeds_per_replicate;
 }
 
-/// mu_1 of a sample: as a search found it for this replicate, or where a search starts.
+/// mu_1 of a sample: the value found earlier for this replicate, or else the value with which the search starts.
 double preparation_friction(const Tables& sample, int replicate) {
   SampleRecipe recipe;
   read_field(sample, recipe, &SampleRecipe::preparation_friction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The parts of a configuration that all cases share, as the structures that they stand for.
+// Reads slope, material and samples from a configuration.
 #pragma once
 
 #include <string>
@@ -12,31 +12,34 @@
 
 namespace flowslide {
 
-/// Table [slope]: Table 2 and the angle.
+/// Reads the table [slope]: Table 2 of the paper and the angle. Throws ConfigurationError.
 SlopeProperties read_slope(const Configuration& configuration);
 
-/// Table [material]: Table 1 and the rolling parameters that it leaves open.
+/// Reads the table [material]: Table 1 of the paper and the rolling parameters, which Table 1 does not give. Throws
+/// ConfigurationError.
 Material read_material(const Configuration& configuration, const TableNames& tables = "material");
 
-/// Names of the tables [sample.<name>] that are read. Those that stand in the base of the case file alone are read if
-/// a point names them: several cases share the base.
+/// Names of the samples to read, from the tables [sample.<name>]. Several cases share one base, so a sample that only
+/// the base defines is read only if a table [point.<name>] uses it.
 std::vector<std::string> samples_in_use(const Configuration& configuration);
 
-/// The samples in use: grains of [material], packed as [packing] and [preparation] say, to the stresses of the slope.
-/// Keys of a sample:
-/// - `like`: another sample, from which the keys that are missing are taken;
-/// - tables `material`, `packing`, `preparation`, whose keys win over those of the tables of the same name at the top;
-/// - `void_ratio`, `tolerance`, `most_trials`, `preparation_friction`, `drag`: what the search looks for, and where it
-///   begins;
-/// - `isotropic`: the sample bears no shear stress;
-/// - `periodic_height`: the sample has no glued layers (see SampleRecipe); false without the key;
-/// - `seed_offsets` and `found_preparation_frictions`: shift of the seed and mu_1 of each replicate, as an earlier search
-///   found them, which saves its trials.
-/// `replicate` counts from 0 and shifts the seed. Throws ConfigurationError.
+/// Reads the samples in use. Each is prepared as [material], [packing] and [preparation] say, to the initial stresses
+/// of the slope. The keys of [sample.<name>]:
+///   like                                another sample, from which missing keys are taken; optional
+///   material, packing, preparation      tables whose keys win over the top-level tables of the same name; optional
+///   void_ratio, tolerance, most_trials  the void ratio to find, and the limits of the search
+///   preparation_friction, drag          mu_1 and the drag coefficient (kg/s) with which the search starts
+///   isotropic                           true: no initial shear stress
+///   periodic_height                     true: no glued layers (see SampleRecipe); optional, false
+///   seed_offsets                        shift of the seed for each replicate; optional
+///   found_preparation_frictions         mu_1 for each replicate; optional
+/// The two lists hold the results of an earlier search and save the trials of the next. `replicate` (from 0) selects
+/// their items. Without an item for it, the seed is shifted by 1000 `replicate`. Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 
-/// Refuses the value of `key` (s) as a DEM time step unless it suits grains of that diameter (m) and material.
+/// Refuses the value of `key` (s) if it exceeds the longest DEM time step for this smallest diameter (m) and material,
+/// a fraction of the Rayleigh time (see longest_time_step).
 void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
                      const Material& material);
 

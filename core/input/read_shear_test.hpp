@@ -7,8 +7,8 @@
 
 namespace flowslide {
 
-/// shear_rate, or inertial_number at the initial normal stress of the recipe; final_strain, rows. Throws
-/// ConfigurationError, also if both or neither of the first two are given.
+/// Reads an element test: final_strain, rows, and either shear_rate or inertial_number. The inertial number is that at
+/// the initial normal stress of the recipe. Throws ConfigurationError, also if both or neither of the two are given.
 ShearTest read_shear_test(const Configuration& configuration, const TableNames& tables, const SampleRecipe& recipe);
 
 }  // namespace flowslide

@@ -8,7 +8,7 @@ namespace flowslide {
 Provenance PointRun::provenance_now() const {
   Provenance now = provenance;
   now.processor_seconds = provenance.mpi_ranks * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
-  // What went before a checkpoint of an older version is not known, and so is the sum.
+  // NaN for a checkpoint of an older version, which did not record its processor time; the sum is then NaN too.
   if (const auto& kept = checkpoints.found()) now.processor_seconds += kept->so_far.provenance.processor_seconds;
   return now;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What differs between the programs of the cases, and what a run of one is given.
+// The interface of a case, and the data that the case program gives to each of its runs.
 #pragma once
 #include <ctime>
 #include <filesystem>
@@ -20,62 +20,64 @@
 
 namespace flowslide {
 
-/// One run of a case, such as one curve of a figure: the unit that is run, kept and skipped when it is there.
+/// One run of a case, such as one curve of a figure. A run is started, checkpointed and stored as a unit, and skipped
+/// if its result exists.
 struct Point {
-  std::string name;                   ///< also of its files: <name>.h5, <name>.dat
-  std::vector<std::string> figures;   ///< of the paper that draw it, "3"
+  std::string name;                   ///< also the name of its files: <name>.h5, <name>.dat
+  std::vector<std::string> figures;   ///< numbers of the paper's figures that show it, such as "3"
   std::string description;
-  double predicted_seconds = 0.0;     ///< on one core, with its samples in the cache
-  std::string sample = {};            ///< the prepared sample that it needs, in letters, digits and "_"; empty: none
-  RunInputs inputs = {};              ///< what else decides its result
-  std::vector<std::string> tables = {};  ///< names, without an ending, of what it writes beside files of its own name
+  double predicted_seconds = 0.0;     ///< processor time on one core if its samples are in the cache, s
+  std::string sample = {};            ///< label of its prepared sample: letters, digits and "_"; empty: none
+  RunInputs inputs = {};              ///< other inputs that decide its result
+  std::vector<std::string> tables = {};  ///< names, without extension, of its other files, such as "<name>_profiles"
 };
 
-/// What a point needs to be run.
+/// The data and services for one run.
 struct PointRun {
   const OutputFolder& output;
-  Provenance provenance;  ///< complete but for seed and replicate
+  Provenance provenance;  ///< complete except seed, replicate and sample
   const RunIdentity& identity;
   ProgressStyle progress;
-  int threads;                        ///< of the native engines; 0: they decide
-  PointCheckpoints& checkpoints;      ///< what it goes on from, and to be asked at each border between exchanges
-  std::clock_t begun = std::clock();
+  int threads;                        ///< number of threads of a native engine; 0: the engine decides
+  PointCheckpoints& checkpoints;      ///< the state to continue from; call its border() after each exchange
+  std::clock_t begun = std::clock();  ///< processor time of this process at the start of the run
 
-  /// `provenance` with what the point has cost so far: that of its checkpoint, and of this process since it `begun`,
-  /// for each of its ranks, which wait for each other.
+  /// `provenance` with the processor time used so far: that stored in the checkpoint, plus that of this process since
+  /// `begun` times the number of MPI ranks. All ranks use the same time, because they wait for each other.
   Provenance provenance_now() const;
-  /// What is written of the point: these rows and numbers, with their origin. Lacks seed and replicate.
+  /// A result of the run with this series, these metrics, provenance and identity. Seed, replicate and sample are left
+  /// to the case.
   Result result(Series series, std::vector<Metric> metrics) const;
 };
 
-/// A case of the paper: what differs between their programs.
+/// A case: one folder below cases/. Its program calls the functions below (see run_case).
 class Case {
  public:
   virtual ~Case() = default;
   virtual CaseDescription description() const = 0;
-  /// Reads all that the configuration may hold. Called once, before the rest.
+  /// Reads every key that the configuration may have. The program calls it once, before the other functions.
   virtual void read(const Configuration& configuration) = 0;
   virtual std::vector<Point> points() const = 0;
-  /// Names, without an ending, of what finish() writes: no point may be named so.
+  /// Names, without extension, of the files that finish() writes. No run may have one of these names.
   virtual std::vector<std::string> tables() const { return {}; }
-  /// What a point would do: engine commands, steps, time. For --dry-run. Collective over the MPI
-  /// ranks, as engines are made by all of them; `out` shows what the first writes.
+  /// Prints the plan of a run for --dry-run: engine commands and steps. Collective over the MPI ranks, because all
+  /// ranks make the engine; only the output of the first rank is shown.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
-  /// Prepares the sample of a point for the cache, or finds it there. Collective over the MPI ranks.
+  /// Finds the sample of a run in the cache, or prepares it and stores it there. Collective over the MPI ranks.
   virtual void prepare(const Point&, const ProgressStyle&, const PreparationBorder&) const {}
-  /// Runs a point, from where its checkpoints say, and writes its files, <point>.h5 last: a point is complete with
-  /// that, and its checkpoints go. Collective over the MPI ranks.
+  /// Runs a point from its last checkpoint, or from the start, and writes its files. <point>.h5 is written last: with
+  /// it the run is complete, and the program deletes its checkpoints. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;
-  /// The numbers that claims are about, from the files of these points. A number that does not exist is left out, and a
-  /// claim about it is not evaluated.
+  /// The metrics that claims are evaluated from, read from the files of these runs. A metric that does not exist is
+  /// left out; a claim about it is not evaluated.
   virtual std::map<std::string, double> metrics(const std::filesystem::path& folder,
                                                 const std::vector<std::string>& points) const = 0;
-  /// Writes what the figures need besides the tables of the points, from the points that OutputFolder::has_result.
-  /// Called before claims are checked.
+  /// Writes the files that the figures need beside the tables of the runs, from all runs with OutputFolder::has_result.
+  /// The program calls it before it evaluates claims.
   virtual void finish(const OutputFolder&) const {}
 };
 
-/// The case of a program. Each folder under cases/ defines this function once.
+/// Makes the case of this program. Each folder below cases/ defines this function once.
 std::unique_ptr<Case> make_case();
 
 }  // namespace flowslide

@@ -59,7 +59,7 @@ class CaseProgram {
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
     for (const Point& point : points_)
       if (chosen_.contains(point.name)) run_point(point, control);
-    // A single point is one of several programs side by side: who started them asks for the claims.
+    // With --point, other programs may run the other points. Whoever starts them evaluates the claims with --check.
     return options_.points.empty() ? check() : to_int(ExitCode::ok);
   }
 
@@ -67,8 +67,8 @@ class CaseProgram {
   void warn_of_idle_ranks() const {
     const std::string engine = configuration_.text("engine", case_.description().engines);
     if (mpi_ranks() > 1 && first_rank() && !engine.starts_with("liggghts"))
-      std::cerr << fmt::format("flowslide: each of the {} ranks does the whole work with --engine {}; only liggghts shares "
-                               "it\n", mpi_ranks(), engine);
+      std::cerr << fmt::format("flowslide: with --engine {} each of the {} ranks does the whole work; only liggghts "
+                               "divides the work\n", engine, mpi_ranks());
   }
 
   static std::vector<std::string> names(const std::vector<Point>& points) {
@@ -82,7 +82,7 @@ class CaseProgram {
   int list() const {
     if (!first_rank()) return to_int(ExitCode::ok);
     if (!changed_.empty() && !options_.json)
-      std::cerr << fmt::format("flowslide: settings that are not those of the case: {}; its claims are not evaluated\n",
+      std::cerr << fmt::format("flowslide: settings differ from those of the case: {}; its claims are not evaluated\n",
                                fmt::join(changed_, "; "));
     const ClaimsFile claims = load_claims(folder_ / "claims.toml");
     nlohmann::ordered_json all;
@@ -109,8 +109,8 @@ class CaseProgram {
     std::ostream nowhere(nullptr);
     std::ostream& out = first_rank() ? std::cout : nowhere;
     out << "# resolved configuration, hash " << hash_of(configuration_.resolved()) << "\n"
-        << "# quantities are in quotes, with their SI unit; keys with a bare number take bare numbers\n"
-        << "# behind each value stands the line or the option that gives it\n";
+        << "# quantities are in quotes with their SI unit; a key with a bare number takes bare numbers only\n"
+        << "# the comment after each value names the line or the option that sets it\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
     out << configuration_.resolved_with_origins();
     for (const Point& point : points_) {
@@ -152,7 +152,7 @@ class CaseProgram {
       if (chosen_.contains(point.name))
         chosen.emplace(point.name, identity_of(point));
       else
-        copy.remove_point(point.name);  // of an earlier call that chose it
+        copy.remove_point(point.name);  // an earlier call with another choice may have written it
     }
     std::cerr << copy_so_far(output, copy, chosen);
     finish(copy);
@@ -164,7 +164,7 @@ class CaseProgram {
     return {case_.description().name, point.name, point.inputs, configuration_.resolved(), versions_of(point.inputs)};
   }
 
-  /// The tables of the figures, and what these have to say of the settings.
+  /// Writes the tables of the figures, and changes.txt with the settings that differ from those of the case.
   void finish(const OutputFolder& output) const {
     case_.finish(output);
     const std::filesystem::path changes = output.file("changes.txt");
@@ -177,7 +177,7 @@ class CaseProgram {
     const std::string& case_name = case_.description().name;
     const RunIdentity identity = identity_of(point);
     std::optional<OutputFolder> output;
-    std::optional<BegunPoint> begun;  // its lock is held until the point is over
+    std::optional<BegunPoint> begun;  // holds the lock until the run ends
     on_first_rank([&] {
       if (options_.resume) OutputFolder::open_existing(options_.output, case_name);
       output.emplace(OutputFolder::open(options_.output, case_name));
@@ -186,7 +186,7 @@ class CaseProgram {
     if (!output) output.emplace(OutputFolder::open_existing(options_.output, case_name));
     if (same_on_all_ranks(begun && begun->complete)) {
       if (first_rank())
-        std::cerr << fmt::format("{}: is there already, with this configuration (code {:.7}); not run again\n",
+        std::cerr << fmt::format("{}: the result exists, with this configuration (code {:.7}); not run again\n",
                                  point.name, read_result(output->file(point.name + ".h5")).provenance.git_revision);
       return;
     }
@@ -204,7 +204,7 @@ class CaseProgram {
     on_first_rank([&] { output->checkpoints(point.name).remove(); });
   }
 
-  /// Of a run of that point which begins now.
+  /// The provenance of a run of this point that starts now. Seed, replicate and sample are left to the case.
   Provenance provenance_of(const Point& point) const {
     Provenance provenance = start_provenance(arguments_);
     provenance.mpi_ranks = mpi_ranks();
@@ -243,8 +243,8 @@ class CaseProgram {
     return to_int(is_one_not_met(verdicts) ? ExitCode::claim_not_met : ExitCode::ok);
   }
 
-  /// The chosen points whose results are there. They must be of this run; other results that are not are left out of
-  /// what finish() makes of all.
+  /// The chosen points that have a complete result. Throws if a chosen point has a damaged result or the result of
+  /// another run. Such a result of another point is only left out of the tables that finish() writes.
   std::vector<std::string> results_in(OutputFolder& output) const {
     std::vector<std::string> present;
     for (const Point& point : points_) {
@@ -265,7 +265,7 @@ class CaseProgram {
     return present;
   }
 
-  /// Whether a claim is about one of the chosen points, or a figure that one belongs to.
+  /// Whether a claim is about one of the chosen points, or about a figure that shows one of them.
   bool concerns(const Claim& claim) const {
     return std::any_of(points_.begin(), points_.end(), [&](const Point& point) {
       if (!chosen_.contains(point.name)) return false;

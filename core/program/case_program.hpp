@@ -7,8 +7,8 @@
 
 namespace flowslide {
 
-/// The whole program: reads the command line, then lists, plans, runs or checks. `folder` holds case.toml and
-/// claims.toml. Returns the exit code (see ExitCode).
+/// The whole program: reads the command line, then does what it asks for (list, plan, prepare, run, check, status or
+/// tables of unfinished runs). `folder` contains case.toml and claims.toml. Returns the exit code (see ExitCode).
 int run_case(Case& the_case, int argc, const char* const* argv, const std::filesystem::path& folder);
 
 }  // namespace flowslide

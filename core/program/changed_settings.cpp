@@ -23,7 +23,7 @@ bool is_harmless(std::string_view key) {
          key == "preparation.time_step";
 }
 
-/// Whether a key stands in a table that the case does not have, such as [point.mine].
+/// Whether a key belongs to a table of these lists that the case does not have, such as [point.mine].
 bool is_added(const Configuration& configuration, std::string_view key) {
   for (const char* list : lists_of_tables) {
     if (!stands_below(key, list)) continue;

@@ -7,13 +7,15 @@
 
 namespace flowslide {
 
-/// The settings of a study that are not those of its case, such as "loading.amplitude = 2000.0 Pa, not "3 kPa"". The
-/// claims of the paper are about the settings of the case: in a study with others they are not evaluated.
+/// The settings that differ from those of the case, one text for each:
+///   loading.amplitude = 2000.0 Pa, not "3 kPa"
+/// The claims of the paper assume the settings of the case. They are not evaluated if this list is not empty.
 ///
-/// Left out is what decides how a run is computed, not what: the engines, the draw and the number of the samples (seed,
-/// replicates, seed_offsets, found_preparation_frictions, most_trials), the rows that are kept, the time steps of the
-/// grains (local_time_step, preparation.time_step) and allow_unstable. Left out, too, are the tables [point.<name>],
-/// [sample.<name>], [scheme.<name>] and [axis.<name>] that a study adds, as no claim is about them.
+/// Two groups of settings are left out. First, those that change how a run is computed but not what it models: the
+/// engines; seed, replicates, seed_offsets, found_preparation_frictions and most_trials of the samples; the rows kept;
+/// figures and picture_strain; the DEM time steps (local_time_step, preparation.time_step); and allow_unstable. Second,
+/// the tables [point.<name>], [sample.<name>], [scheme.<name>] and [axis.<name>] that the user adds, because no claim
+/// is about them.
 std::vector<std::string> changed_settings(const Configuration& configuration);
 
 }  // namespace flowslide

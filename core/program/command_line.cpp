@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string> scale_names{"quick", "paper"};
 
-/// One word of a command as a shell would have to read it.
+/// One word of a command, quoted for a POSIX shell where needed.
 std::string shell_word(std::string_view word) {
   const auto plain = [](char c) {
     constexpr std::string_view signs = "_-+=./:,@%";
@@ -30,20 +30,20 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-constexpr std::size_t most_listed = 24;  ///< names in a message
+constexpr std::size_t most_listed = 24;  ///< a message lists at most this number of names
 
-/// A check that refuses any text but one of `names`, and proposes the nearest.
+/// A check that accepts only one of `names`, and proposes the nearest one.
 auto one_of(const std::vector<std::string>& names) {
   return [names](const std::string& text) -> std::string {
     if (std::find(names.begin(), names.end(), text) != names.end()) return "";
     if (names.size() > most_listed)
-      return fmt::format("\"{}\" is not there; {}", text, did_you_mean(text, names, "see --list"));
-    return fmt::format("\"{}\" is not there; it must be {}; {}", text, list_of(names),
+      return fmt::format("\"{}\" does not exist; {}", text, did_you_mean(text, names, "see --list"));
+    return fmt::format("\"{}\" does not exist; it must be {}; {}", text, list_of(names),
                        did_you_mean(text, names, "choose one of these"));
   };
 }
 
-/// A check that refuses any text but an integer from `least` to `most`.
+/// A check that accepts only an integer from `least` to `most`.
 auto integer_from(std::int64_t least, std::int64_t most) {
   return [least, most](const std::string& text) -> std::string {
     std::int64_t value = 0;
@@ -60,7 +60,7 @@ std::string key_and_value(const std::string& text) {
   return fmt::format("\"{}\" is not KEY=VALUE; write, for example, slope.angle=\"6 deg\"", text);
 }
 
-/// What the options fill before they are turned into a CommandLine.
+/// The options as CLI11 reads them. `fill` turns them into a CommandLine.
 struct Raw {
   std::vector<std::string> settings;
   std::int64_t seed = 0;
@@ -76,17 +76,17 @@ constexpr std::int64_t most_threads = 1024, most_seed = 1000000000, most_replica
 
 void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const CaseDescription& description) {
   const std::string group = "What to run";
-  app.add_option("--config", raw.configuration_file, "TOML file laid over the case's own case.toml")
+  app.add_option("--config", raw.configuration_file, "TOML file whose values replace those of the case's case.toml")
       ->type_name("FILE")
       ->group(group);
   app.add_option("--set", raw.settings,
-                 "One value of the configuration, such as slope.angle=\"6 deg\"; a quantity needs its unit; may be "
-                 "repeated; --dry-run prints all keys")
+                 "Set one value of the configuration, such as slope.angle=\"6 deg\". A quantity needs its unit. May be "
+                 "repeated. --dry-run prints all keys")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(key_and_value, ""))
       ->group(group);
-  app.add_option("--scale", command_line.scale, "Size of the run: quick (default) or paper")
+  app.add_option("--scale", command_line.scale, "Size of the runs: quick (default) or paper")
       ->type_name("SCALE")
       ->check(CLI::Validator(one_of(scale_names), ""))
       ->group(group);
@@ -96,18 +96,19 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
       ->type_name("NAME")
       ->check(CLI::Validator(one_of(description.engines), ""))
       ->group(group);
-  app.add_option("--seed", raw.seed, "Seed of the first replicate, 0 or more; default: the key `seed`")
+  app.add_option("--seed", raw.seed, "Seed of the first replicate, at least 0; default: the key `seed`")
       ->type_name("N")
       ->check(CLI::Validator(integer_from(0, most_seed), ""))
       ->group(group);
-  app.add_option("--replicates", raw.replicates, "Number of seeds, 1 or more; default: the key `replicates`")
+  app.add_option("--replicates", raw.replicates, "Number of replicates, at least 1; default: the key `replicates`")
       ->type_name("N")
       ->check(CLI::Validator(integer_from(1, most_replicates), ""))
       ->group(group);
   app.add_flag("--allow-unstable", raw.allow_unstable,
-               "Run slides beyond the limit of stability of dt_G, too: the key `coupling.allow_unstable`")
+               "Also run slides with dt_G above the limit of stability; sets the key `coupling.allow_unstable`")
       ->group(group);
-  app.add_option("--point", command_line.points, "Run this point only; may be repeated; see --list")
+  app.add_option("--point", command_line.points,
+                 "Run only this point, which is one run of the case. May be repeated; see --list")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group(group);
@@ -120,27 +121,29 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
 void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
   const std::string group = "Long runs";
   app.add_flag("--resume", command_line.resume,
-               "Go on with a folder of results, which must be there. Points go on from their checkpoints without this "
-               "option, too; those that have none begin at the beginning")
+               "Require that the folder of results exists. With and without this option, points continue from their "
+               "checkpoints; points without a checkpoint start from the beginning")
       ->group(group);
   app.add_flag(
          "--afresh", command_line.afresh,
-         "Begin the points anew: delete their checkpoints first, and results that are damaged or of another run (other "
-         "settings, input files or engine), which are else refused. Complete results of this run are kept")
+         "Start the points again: first delete their checkpoints, and results that are damaged or of another run "
+         "(other settings, input files or engine). Without this option such results are an error. Complete results of "
+         "this run are kept")
       ->excludes("--resume")
       ->group(group);
   app.add_option("--threads", command_line.threads,
-                 "Threads of the native engines, which change no result; default: one below 10 000 grains, else one for "
-                 "each core. LIGGGHTS works in ranks instead: mpirun -np N")
+                 "Number of threads of the native engines; it does not change results. Default: one below 10 000 "
+                 "grains, otherwise one per core. LIGGGHTS uses MPI ranks instead: mpirun -np N")
       ->type_name("N")
       ->check(CLI::Validator(integer_from(1, most_threads), ""))
       ->group(group);
   app.add_option("--checkpoint-interval", raw.checkpoint_interval,
-                 "Time between checkpoints, at the next exchange: \"30 s\"; default: 3 min")
+                 "Wall time between two checkpoints, such as \"30 s\"; default: 3 min")
       ->type_name("TIME")
       ->group(group);
   app.add_option("--max-walltime", raw.max_walltime,
-                 "Keep a checkpoint and end with 75 before this time, from the start of the program, is over: \"24 h\"")
+                 "Write a checkpoint and end with exit code 75 before this wall time since the start of the program, "
+                 "such as \"24 h\"")
       ->type_name("TIME")
       ->group(group);
 }
@@ -148,22 +151,23 @@ void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
 void add_other_options(CLI::App& app, CommandLine& command_line) {
   const std::string group = "Instead of a run";
   app.add_flag("--dry-run", command_line.dry_run,
-               "Print the resolved configuration, what the engine would be told, the steps and the predicted time; "
-               "write nothing")
+               "Print the resolved configuration, the commands to the engine, the steps and the predicted time. Write "
+               "nothing")
       ->group(group);
   app.add_flag("--list", command_line.list, "Print the points with their predicted time")->group(group);
   app.add_flag("--check", command_line.check,
-               "Collect the points in --output that are complete: write the figures' tables, evaluate the claims")
+               "Collect the complete points in --output: write the tables of the figures and evaluate the claims")
       ->group(group);
   app.add_flag("--prepare", command_line.prepare,
-               "Prepare the samples that the points need, for the cache; a point alone would do it, too")
+               "Prepare the samples of the points and store them in the cache. Without this step, a run prepares its "
+               "own sample")
       ->group(group);
   app.add_flag("--status", command_line.status,
-               "Print how far the points in --output have come: complete, running, stopped or not begun, and where")
+               "Print the state and the progress of the points in --output: complete, running, stopped or not begun")
       ->group(group);
   app.add_flag("--so-far", command_line.so_far,
-               "Write what there is, of points that are not complete up to their last checkpoint, to the folder so_far "
-               "in --output, to be drawn as a whole run is; runs go on undisturbed")
+               "Write preliminary results to the folder so_far in --output: complete points, and other points up to "
+               "their last checkpoint. Plot them like complete results. Running points are not disturbed")
       ->group(group);
   app.add_flag("--json", command_line.json, "Machine-readable output of --list, --status or --check")->group(group);
 }
@@ -171,12 +175,12 @@ void add_other_options(CLI::App& app, CommandLine& command_line) {
 std::string footer(const std::string& name) {
   return fmt::format(
       "\nExamples:\n"
-      "  {0}                                         the whole case at quick scale\n"
-      "  {0} --list                                  its points and their predicted time\n"
-      "  {0} --scale paper --dry-run                 what the paper's size would do\n"
-      "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   one value changed\n"
+      "  {0}                                         run the whole case at quick scale\n"
+      "  {0} --list                                  print its points and their predicted time\n"
+      "  {0} --scale paper --dry-run                 print the plan at the size of the paper\n"
+      "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   run with one changed value\n"
       "\nExit codes:\n"
-      "  0 ok, 1 standard output cannot be written, 2 configuration, 3 numerical failure, 4 a claim not met,\n"
+      "  0 ok, 1 standard output cannot be written, 2 configuration, 3 numerical failure, 4 a claim is not met,\n"
       "  70 a defect of the program: please report it, 75 stopped but resumable, 130 interrupted\n",
       name);
 }
@@ -195,7 +199,8 @@ std::string footer(const std::string& name) {
   throw ConfigurationError(fmt::format("{}{}; see {} --help", error.what(), hint, description.name));
 }
 
-/// A time above 0 in s; `unset` for an option that was not given. `likely_unit` is proposed for a bare number.
+/// The time of an option, s, > 0; `unset` if the option was not given. The message about a missing unit proposes
+/// `likely_unit`.
 double time_in(const std::string& text, const char* option, std::string_view likely_unit, double unset) {
   if (text.empty()) return unset;
   try {
@@ -248,7 +253,7 @@ CommandLine parse(int argc, const char* const* argv, const CaseDescription& desc
   CommandLine command_line;
   Raw raw;
   const std::string figures =
-      description.figures.empty() ? "" : fmt::format("\nDraws {}.", fmt::join(description.figures, ", "));
+      description.figures.empty() ? "" : fmt::format("\nFigures: {}.", fmt::join(description.figures, ", "));
   CLI::App app(description.description + figures, description.name);
   app.set_help_flag("--help,-h", "Print this help and end")->group("About");
   app.set_version_flag("--version", fmt::format("{} {}", description.name, description.version),

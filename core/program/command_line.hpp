@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The options that every case shares.
+// The command-line options of every case program.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,24 @@
 
 namespace flowslide {
 
-/// What a case says about itself.
+/// The description of a case for its help text and its output.
 struct CaseDescription {
   std::string name;                  ///< "fig03_undrained"
   std::string description;           ///< one sentence
-  std::string version;               ///< what --version prints after the name
+  std::string version;               ///< version that --version prints after the name
   std::vector<std::string> figures;  ///< "Fig. 3", ...
-  std::vector<std::string> engines;  ///< names that --engine takes, in this build
+  std::vector<std::string> engines;  ///< names that --engine accepts in this build
 };
 
-/// What the user asked for.
+/// The options of one start of the program.
 struct CommandLine {
   std::optional<std::filesystem::path> configuration_file;  ///< --config
-  std::vector<Override> overrides;                          ///< --set, and the options that stand for keys
+  std::vector<Override> overrides;                          ///< --set, and other options that set a key
   std::string scale = "quick";                              ///< --scale
   std::optional<std::string> engine;                        ///< --engine; without it the key `engine` decides
   std::optional<std::int64_t> seed;                         ///< --seed; without it the key `seed` decides
   std::optional<std::int64_t> replicates;                   ///< --replicates; without it the key `replicates` decides
-  std::filesystem::path output;                             ///< --output; results/<case>/<scale> when not given
+  std::filesystem::path output;                             ///< --output; without it results/<case>/<scale>
   std::vector<std::string> points;                          ///< --point; empty: all
   bool resume = false;                                      ///< --resume
   bool afresh = false;                                      ///< --afresh
@@ -44,19 +44,19 @@ struct CommandLine {
   bool check = false;                                       ///< --check
   bool prepare = false;                                     ///< --prepare
   bool json = false;                                        ///< --json, with --list or --check
-  std::string text;                                         ///< the whole command, quoted for a shell, for provenance
+  std::string text;                                         ///< the whole command, quoted for a shell
 };
 
-/// Reads the options. Throws ConfigurationError for an unknown option, a missing or bad value or options that exclude
-/// each other (with what is allowed), and FinishedEarly for --help and --version.
+/// Reads the options. Throws ConfigurationError for an unknown option, for a missing or invalid value, and for options
+/// that exclude each other. Throws FinishedEarly for --help and --version.
 CommandLine parse(int argc, const char* const* argv, const CaseDescription& description);
 
-/// The layers of a run: the case file, its scale, --config, then --set and the options that stand for the keys
+/// The layers of the configuration: the case file, its scale, --config, then --set and the options for the keys
 /// `engine`, `seed`, `replicates` and `coupling.allow_unstable`.
 Layers layers_of(const CommandLine& command_line, const std::filesystem::path& case_file);
 
-/// The points to run, in the order of `available`: all, or those asked for with --point. Throws ConfigurationError for
-/// a point that is not there, with the nearest one that is.
+/// The points to run, in the order of `available`: those named by --point, or all without this option. Throws
+/// ConfigurationError for an unknown name and proposes the nearest one.
 std::vector<std::string> selected_points(const CommandLine& command_line, const std::vector<std::string>& available);
 
 }  // namespace flowslide

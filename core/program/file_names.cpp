@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-/// Written by every case program.
+/// Names of files and folders that every case program writes.
 const std::vector<std::string> program_names{"claims", "changes", "so_far", "table"};
 
 class Owners {
@@ -20,8 +20,8 @@ class Owners {
     const auto [known, is_new] = owners_.emplace(name, owner);
     if (!is_new)
       throw ConfigurationError(
-          fmt::format("the name \"{}\" is taken twice: by {} and by {}, which would be written to one file; give the table "
-                      "[point.<name>] another name (replicate N of a point is named <name>_rN)",
+          fmt::format("the name \"{}\" is taken twice: by {} and by {}; both would be written to one file; give the "
+                      "table [point.<name>] another name (replicate N of a point is named <name>_rN)",
                       name, known->second, owner));
   }
 

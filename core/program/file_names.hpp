@@ -7,9 +7,9 @@ namespace flowslide {
 
 struct Point;
 
-/// Refuses two things that would be written to one file, such as a run "RD_r2" beside the second replicate of "RD", or
-/// a run "sweep" in a case whose figure reads sweep.dat. `tables` are the names, without an ending, of what the case
-/// writes beside the files of its points. Throws ConfigurationError with both of them.
+/// Checks that no two outputs have the same file name. Examples of a conflict: a run "RD_r2" beside the second
+/// replicate of "RD"; a run "sweep" in a case that writes sweep.dat for a figure. `tables`: names, without extension,
+/// of the files that the case writes beside those of its runs. Throws ConfigurationError, with both owners of the name.
 void refuse_names_that_meet(const std::vector<Point>& points, const std::vector<std::string>& tables);
 
 }  // namespace flowslide

@@ -9,8 +9,8 @@
 
 namespace flowslide {
 
-/// The element of `all` that `name_of`, a member or a function, gives this name. Throws std::out_of_range with `kind`
-/// ("point", say) and the name if there is none.
+/// The first element of `all` whose name is `name`. `name_of` is the member or function that gives the name. Throws
+/// std::out_of_range if there is none; the message names `kind`, such as "point".
 template <typename Element, typename NameOf>
 const Element& named(const std::vector<Element>& all, const char* kind, const std::string& name, NameOf name_of) {
   const auto found = std::ranges::find(all, name, name_of);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the points of all cases say of themselves before they are run.
+// The parts of a plan (--dry-run) and of a sample report that all cases share.
 #pragma once
 #include <iosfwd>
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace flowslide {
 
-/// Name of a point's replicate: replicates count from 0, and the first has no number, "e0_790", "e0_790_r2".
+/// Name of a replicate. `replicate` counts from 0; the first has no number: "e0_790", "e0_790_r2".
 std::string replicate_name(const std::string& point, int replicate);
 
-/// Time of a grain and step on one core, s, while the sample is dense (README, "Engines"). 0 for closed-form samples.
-/// For predictions alone.
+/// Processor time of one grain for one step on one core, s, in a dense sample (README, "Engines"). 0 for closed-form
+/// samples. Used for predictions only.
 double seconds_per_grain_and_step(const std::string& engine);
 
-/// The sample that a search starts with, and its key in the cache.
+/// Prints the sample with which the search starts, and the key of its first trial in the cache.
 void print_sample_plan(std::ostream& out, const SampleSpecification& sample, const std::string& preparation_engine);
 
-/// The sample that was found, with its health, and what is uneven in it.
+/// Prints the sample that was found, with its health. A second line says in what way it is uneven, if it is.
 void print_found_sample(std::ostream& out, const SampleSpecification& wanted, const FoundSample& found);
 
-/// The commands by which `engine` would be set up, if it takes commands, for the box of the loose packing.
+/// Prints the setup commands of LIGGGHTS, with the box of the loose packing. Prints nothing for other engines.
 void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step);
 
 }  // namespace flowslide

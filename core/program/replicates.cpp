@@ -11,14 +11,14 @@
 namespace flowslide {
 
 void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples) {
-  std::map<std::string, std::size_t> first;  // replicate by the name and the recipe of its sample
+  std::map<std::string, std::size_t> first;  // name and recipe of a sample -> its first replicate
   for (std::size_t replicate = 0; replicate < samples.size(); ++replicate)
     for (const SampleSpecification& sample : samples[replicate]) {
       const auto [known, is_new] = first.emplace(sample.name + "\n" + sample.recipe.text(), replicate);
       if (!is_new)
         throw ConfigurationError(fmt::format(
-            "replicates {} and {} of the sample \"{}\" are the same: both begin with the seed {} and the preparation "
-            "friction {}; give sample.{}.seed_offsets a number for each replicate, no two of them equal",
+            "replicates {} and {} of the sample \"{}\" are the same: both start from seed {} and preparation friction "
+            "{}; give sample.{}.seed_offsets one number for each replicate, all of them different",
             known->second + 1, replicate + 1, sample.name, sample.recipe.packing.seed,
             sample.recipe.preparation_friction, sample.name));
     }
@@ -28,14 +28,14 @@ void refuse_equal_samples(const std::vector<Provenance>& results) {
   std::map<std::string, const Provenance*> first;
   for (const Provenance& result : results) {
     const std::size_t blank = result.sample.find(' ');
-    if (blank == std::string::npos) continue;  // not made of grains
+    if (blank == std::string::npos) continue;  // a closed-form sample
     const Provenance& known = *first.emplace(result.sample, &result).first->second;
     if (known.replicate == result.replicate) continue;
     const std::string table = result.sample.substr(0, blank);
     throw ConfigurationError(fmt::format(
-        "{} and {} are no replicates: they have the same sample \"{}\", as the search for its void ratio counts seeds "
-        "on from one to the other; set sample.{}.seed_offsets so that the seeds of two replicates lie farther apart, such "
-        "as [0, 1000, 2000]",
+        "{} and {} are no replicates: they have the same sample \"{}\", because the search for its void ratio "
+        "increased the seed of one to that of the other; set sample.{}.seed_offsets to numbers farther apart, such as "
+        "[0, 1000, 2000]",
         known.point, result.point, table, table));
   }
 }

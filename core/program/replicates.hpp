@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Replicates are runs on samples of their own. Two that have the same sample would count one result twice.
+// Each replicate needs a sample of its own. Two replicates on the same sample would count one result twice.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace flowslide {
 
-/// Refuses two replicates that begin with the same recipe. `samples` are those of each replicate (see read_samples).
-/// Throws ConfigurationError.
+/// Throws ConfigurationError if two replicates start the search for a sample with the same recipe. `samples[r]` are the
+/// samples of replicate r (see read_samples).
 void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples);
 
-/// Refuses two results of different replicates on one sample (see Provenance::sample). A search for a void ratio counts
-/// seeds on, so that it may come to the sample of another replicate; ranges of seeds that overlap are allowed, as
-/// searches end early. Throws ConfigurationError.
+/// Throws ConfigurationError if two results of different replicates use the same sample (see Provenance::sample). This
+/// may happen, because a search for a void ratio increases the seed and may reach a seed of another replicate. Seeds
+/// that overlap are not refused earlier, because most searches end after a few seeds.
 void refuse_equal_samples(const std::vector<Provenance>& results);
 
-/// The same before a run is spent on it: `own` against the results of the other `points` of this configuration in a
-/// folder. A result that cannot be read is left to whoever needs it.
+/// The same check before a run starts: compares `own` with the results of the other `points` of this configuration in
+/// `folder`. Results that cannot be read are skipped; the functions that need them report the error.
 void refuse_sample_of_others(const Provenance& own, const std::string& configuration_hash,
                              const std::filesystem::path& folder, const std::vector<std::string>& points);
 

@@ -41,7 +41,7 @@ void say(ExitCode code, const char* message, int rank) {
   std::fflush(stderr);
 }
 
-/// `code`, or 1 if something that it was printed with is lost.
+/// `code`, or 1 if `code` is 0 or 4 and standard output could not be written completely.
 int with_output_written(int code, int rank) {
   if (code != to_int(ExitCode::ok) && code != to_int(ExitCode::claim_not_met)) return code;
   errno = 0;

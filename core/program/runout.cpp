@@ -11,12 +11,12 @@
 namespace flowslide {
 namespace {
 
-constexpr double stress_window = 0.02;  ///< s: of the normal stress, which swings faster than the velocity
-constexpr double rounding = 1e-9;       ///< of a number of windows
+constexpr double stress_window = 0.02;  ///< s; shorter, because sigma fluctuates faster than the velocity
+constexpr double rounding = 1e-9;       ///< margin for the rounding of a number of windows
 constexpr int coarse_rows = 25;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The means of a column over windows (s) that overlap by half, to the end of the record.
+/// Means of a column over windows that overlap by half, to the end of the record. `window`: length of a window, s.
 std::vector<double> running_means(const Series& over_time, const std::string& column, double window) {
   std::vector<double> means;
   const int halves = static_cast<int>(std::floor(2.0 * end_of(over_time) / window + rounding));
@@ -25,7 +25,7 @@ std::vector<double> running_means(const Series& over_time, const std::string& co
   return means;
 }
 
-/// Rank of each value, from 1; equal values share the mean of theirs.
+/// Rank of each value, from 1. Equal values share their mean rank.
 std::vector<double> ranks_of(const std::vector<double>& values) {
   std::vector<double> ranks;
   for (const double value : values) {

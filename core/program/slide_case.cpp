@@ -31,13 +31,15 @@ std::string row_text(const Series& rows) {
                      rows.column("normal_stress").values.back());
 }
 
-/// A closed-form sample takes no element test, and LIGGGHTS neither shears nor compresses across periodic faces along z.
+/// Whether the engine can run a point. A closed-form sample runs no element test. The LIGGGHTS engine cannot shear or
+/// compress a sample that is periodic along z.
 bool can_run(const SlidePoint& point, bool closed_form) {
   if (closed_form) return !point.test;
   return !(point.sample.recipe.periodic_height && point.engine.starts_with("liggghts"));
 }
 
-/// What a checkpoint does not fit is no defect: its sample may have been prepared anew since, by another engine.
+/// Calls `all`, which restores a checkpoint. A checkpoint that does not fit is no defect of the program: its sample may
+/// have been prepared again since, by another engine. Therefore throws ConfigurationError.
 void restore(const SlidePoint& running, const std::function<void()>& all) {
   try {
     all();
@@ -47,7 +49,7 @@ void restore(const SlidePoint& running, const std::function<void()>& all) {
   }
 }
 
-/// The tables first: a point is complete with its <point>.h5.
+/// Writes the files of a point. The tables come first, because a point with a file <point>.h5 counts as complete.
 void write_point(const OutputFolder& output, const Result& result, const Series& profiles) {
   const std::string& point = result.provenance.point;
   Table table = table_of(result);
@@ -59,21 +61,21 @@ void write_point(const OutputFolder& output, const Result& result, const Series&
 
 }  // namespace
 
-/// What is kept of a point, slide or element test.
+/// The records of a slide or element test.
 struct SlideCase::Records {
   Series series, profiles;
   Stop stop = Stop::not_yet;
   RunMeasures measures = {};
-  Series measured = {};  ///< of an element test, in place of the rows that happen to be kept
-  std::vector<Shot> shots = {};  ///< of an element test, for pictures
+  Series measured = {};  ///< rows of an element test at fixed strains, for its metrics
+  std::vector<Shot> shots = {};  ///< states of the sample of an element test, for pictures
 };
 
-/// A sample, and what it lives on.
+/// A sample with the engine that it runs on.
 struct SlideCase::Loaded {
   std::unique_ptr<Engine> engine;
   std::unique_ptr<Sample> sample;
-  DemSample* grains = nullptr;        ///< the sample, if it is made of them
-  std::vector<Metric> metrics;        ///< of the sample
+  DemSample* grains = nullptr;        ///< the sample if it is a DEM sample
+  std::vector<Metric> metrics;        ///< metrics of the sample
   std::string name;                   ///< see Provenance::sample
 };
 
@@ -294,7 +296,7 @@ Result SlideCase::judged(const SlidePoint& running, const Loaded& loaded, const 
   Result result = result_of(running, loaded, run, records);
   try {
     judge(result, running, loaded, records);
-  } catch (const std::exception&) {  // what a run goes on from must be kept, whatever is said of it so far
+  } catch (const std::exception&) {  // a checkpoint must be written even if its metrics cannot be computed
     result.metrics = loaded.metrics;
   }
   return result;
@@ -320,7 +322,7 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
   try {
     judge(result, running, loaded, records);
   } catch (...) {
-    write();  // what was run is no worse for that
+    write();  // the series is valid even if its metrics cannot be computed
     throw;
   }
   write();

@@ -39,7 +39,7 @@ void add_coupling(std::vector<Metric>& parameters, const SlideSettings& settings
 
 std::vector<Metric> parameters_of(const SlidePoint& point, const std::optional<double>& number) {
   const SampleRecipe& recipe = point.sample.recipe;
-  std::vector<Metric> parameters{{"void_ratio", point.sample.target.void_ratio, "1", "void ratio that was looked for"},
+  std::vector<Metric> parameters{{"void_ratio", point.sample.target.void_ratio, "1", "required void ratio"},
                                  {"local_time_step", point.settings.passing.time_step, "s", "local time step dt_L"}};
   if (number) parameters.push_back({"inertial_number", *number, "1", "inertial number of the rate rule"});
   if (point.test) {

@@ -8,12 +8,12 @@
 
 namespace flowslide {
 
-/// What a slide was given, for its result; a parameter that it does not have is left out:
-///   void_ratio                         1, that was looked for
+/// The parameters of a slide or element test, for its result. A parameter that it does not have is left out.
+///   void_ratio                         1, the required one
 ///   hydraulic_conductivity, angle      m/s, rad
 ///   time_step, local_time_step         s, dt_G and dt_L
 ///   least_steps                        1, n_accum
-///   inertial_number                    1, of the rate rule (`number`), or of a test under its initial normal stress
+///   inertial_number                    1, of the rate rule (`number`), or of a test at its initial normal stress
 ///   smallest_rate                      1/s, of RI
 ///   amplitude, duration                Pa, s, of a pulse
 ///   loading_rate, loading_duration     Pa/s, s, of a constant rate

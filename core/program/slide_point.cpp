@@ -19,8 +19,8 @@
 namespace flowslide {
 namespace {
 
-constexpr int free_slide_steps = 1000;     ///< enough for a prediction
-constexpr double strain_at_peak = 0.01;    ///< about that of loose samples: passed at the rate of the full stress
+constexpr int free_slide_steps = 1000;     ///< time steps of the slide on a sample without strength
+constexpr double strain_at_peak = 0.01;    ///< about the strain at the peak of loose samples; up to it p is about p_0
 
 const SampleSpecification& sample_named(const Configuration& configuration, const std::string& key,
                                         const std::vector<SampleSpecification>& samples) {
@@ -44,7 +44,7 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-/// The engine of a point; `common` is that of the case.
+/// The engine of a point. `common` is the engine of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
   const std::string own = table.text("engine", engine_names());
@@ -73,7 +73,7 @@ std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
                      point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
-/// What several keys make together. Whatever is left to fail, fails by the numbers of the run.
+/// Checks that depend on several keys. A run that passes them can fail only numerically.
 void check_together(const Tables& table, const SlidePoint& point) {
   const SlideSettings& settings = point.settings;
   as_written_by_user("point " + point.name, [&] {
@@ -84,10 +84,10 @@ void check_together(const Tables& table, const SlidePoint& point) {
   const double driving = initial_shear_stress(settings.slope), prepared = point.sample.recipe.shear_stress;
   if (std::abs(driving - prepared) <= largest_residual * initial_normal_stress(settings.slope)) return;
   table.refuse("sample",
-               fmt::format("is prepared to tau = {:.4g} Pa, and the slope begins with {:.4g} Pa: they may differ by {} "
+               fmt::format("is prepared to tau = {:.4g} Pa, but the slope starts with {:.4g} Pa: they may differ by {} "
                            "sigma_0 at most",
                            prepared, driving, largest_residual),
-               "choose a sample that is not isotropic, or let the residual stay");
+               "choose a sample that is not isotropic, or set residual = \"stays\"");
 }
 
 }  // namespace

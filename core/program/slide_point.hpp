@@ -12,41 +12,43 @@
 
 namespace flowslide {
 
-/// One slide of a case, or an element test beside it, or a replicate on another sample: a table [point.<name>].
+/// One replicate of a slide or of an element test: a table [point.<name>] of a case.
 struct SlidePoint {
-  Point point;                 ///< named after the table, and the replicate
-  std::string name;            ///< of the table
+  Point point;                 ///< its name is that of the table with the number of the replicate
+  std::string name;            ///< name of the table
   int replicate = 0;           ///< from 0
   SampleSpecification sample;
-  GrainScale grains;           ///< of the packing that the search begins with, or of the sample: see on_sample
-  std::string engine;          ///< or closed-form sample
-  std::optional<ShearTest> test;  ///< of the sample alone, in place of a slide; it needs grains
-  SlideSettings settings;           ///< of a test, the local time step alone
+  GrainScale grains;           ///< of the packing with which the search starts; after on_sample those of the sample
+  std::string engine;          ///< name of the engine or of the closed-form sample
+  std::optional<ShearTest> test;  ///< the element test in place of a slide; needs a DEM sample
+  SlideSettings settings;           ///< for an element test only the local time step is used
   bool linear_start = false;        ///< see DemSample::start_linear_at_first_strain
   StopConditions stop;
   RowSpacing rows;
-  ProfilePlan profiles;        ///< without strains none are taken
-  /// What it was given, as numbers for its result (see slide_parameters.hpp).
-  std::vector<Metric> parameters;
-  bool published = true;  ///< the case has it; else --config or --set has added it
+  ProfilePlan profiles;        ///< without strains no profile is taken
+  std::vector<Metric> parameters;  ///< parameters for its result (see slide_parameters.hpp)
+  bool published = true;  ///< the case has this point; false: the user added it
 };
 
-/// Reads [point.<name>]: figures, sample (a key below [sample]), scheme (a key below [scheme]), hydraulic_conductivity
-/// and profile_strains if there. Its tables coupling, loading, stop and rows stand in front of those at the top, and
-/// [scheme.<scheme>] between those of coupling, which may have linear_start. With final_strain in place of scheme it is
-/// an element test: [element_test] has what the point leaves out (see read_shear_test), coupling the time step.
-/// What the table leaves out is read from that of the point that it is `like`, if it is like one.
-/// A key `engine` of the point stands in front of `engine`, that of the case, unless this is a closed-form sample.
-/// `samples` are those of the replicate; the engine decides the predicted time. Throws ConfigurationError.
+/// Reads the table [point.<name>]. Keys of a slide: figures; sample, a name below [sample]; scheme, a name below
+/// [scheme]; and optionally hydraulic_conductivity, profile_strains and engine.
+/// - Order of lookup for coupling: [point.<name>.coupling], [scheme.<scheme>], [coupling]. It includes the optional
+///   key linear_start.
+/// - Order of lookup for loading, stop and rows: [point.<name>.loading], then [loading], and so on.
+/// - With the key final_strain the point is an element test, which has no scheme. Keys of the test that the point does
+///   not have are read from [element_test] (see read_shear_test), the local time step as above from coupling.
+/// - With `like = "other"`, keys that the point does not have are read from [point.other], its tables included.
+/// - The key engine replaces `engine`, the engine of the case, unless `engine` is a closed-form sample.
+/// `samples` are the samples of this replicate. The predicted time depends on the engine. Throws ConfigurationError.
 SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
                             const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
                             const std::string& engine);
 
-/// The point on the sample that was found for it, whose mean diameter (m) decides the rates that follow from an
-/// inertial number.
+/// The point for the sample that was found. Strain rates that are given by an inertial number are computed with the
+/// mean diameter of this sample, m.
 SlidePoint on_sample(SlidePoint point, double mean_diameter);
 
-/// Local steps that a slide would take on a sample without strength: about as many as it takes at most.
+/// Number of local steps of a slide on a sample without strength. A slide needs about this number at most.
 double predicted_steps(const SlideSettings& settings, const StopConditions& stop);
 
 }  // namespace flowslide

@@ -11,7 +11,7 @@
 namespace flowslide {
 namespace {
 
-/// Below this share of its free steps a slide has told too little about itself.
+/// Smallest fraction p/P at which n P/p is used. Below it the total is P.
 constexpr double telling_share = 1e-3;
 
 }  // namespace

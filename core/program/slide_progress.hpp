@@ -8,18 +8,18 @@
 
 namespace flowslide {
 
-/// Progress of a slide in local steps, which are what takes time: an exchange takes the more of them the faster the
-/// slope slides. How many there will be is not known: those so far, times what a slope on a sample without strength
-/// takes in all over what it takes up to the same time.
+/// Progress of a slide, counted in local steps. Local steps take nearly all of the time. The faster the slope slides,
+/// the more of them an exchange needs. Their total N is not known and is estimated as N = n P/p. n is the number of
+/// steps so far. P and p are the predicted steps (see predicted_steps) in total and up to the present time.
 class SlideProgress {
  public:
-  /// `start`: where the slide stands now.
+  /// `start`: the present state of the slide.
   SlideProgress(const std::string& label, const SlideSettings& settings, const StopConditions& stop,
                 const ProgressStyle& style, const SlideState& start);
-  /// After an exchange; cheap.
+  /// Call it after each exchange. It is cheap.
   void update(const SlideState& state);
   void finish(const SlideState& state);
-  /// About, 0 to 1.
+  /// Estimated fraction of the local steps that are done, 0 to 1.
   double share_done(const SlideState& state) const;
 
  private:
@@ -27,11 +27,11 @@ class SlideProgress {
 
   SlideSettings settings_;
   StopConditions stop_;
-  double free_steps_;  ///< of a slope on a sample without strength, until its end
+  double free_steps_;  ///< predicted steps in total, P
   Progress progress_;
 };
 
-/// "t 0.52 s, v 1.2 m/s, tau 3.1 kPa, sigma 12 kPa".
+/// The state for a progress line: "t 0.520 s, v 1.200 m/s, tau 3100 Pa, sigma 12000 Pa".
 std::string state_text(const SlideState& state);
 
 }  // namespace flowslide

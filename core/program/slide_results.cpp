@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a case that slides makes of the results of its points: metrics, and the tables of its figures.
+// The part of SlideCase that reads results: metrics, and the tables of the figures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace flowslide {
 namespace {
 
-constexpr int band_rows = 200;  ///< of a figure: finer than what it can show
+constexpr int band_rows = 200;  ///< rows of a band; more than a figure can resolve
 
 Table band_table(const std::string& case_name, const std::string& slide, std::size_t replicates, Series series) {
   return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};

@@ -6,10 +6,12 @@
 
 namespace flowslide {
 
-/// Sources and precision of an engine or a closed-form sample. Throws std::invalid_argument for another name.
+/// The version of an engine or closed-form sample: a hash of its sources, and the precision of an engine. Throws
+/// std::invalid_argument for any other name.
 std::string engine_version(const std::string& name);
 
-/// Those of all that computes a run with these inputs. Throws as engine_version.
+/// The versions of the engine, of the preparation and of the search for a run with these inputs. Throws as
+/// engine_version.
 RunVersions versions_of(const RunInputs& inputs);
 
 }  // namespace flowslide

@@ -71,7 +71,7 @@ TEST(Configuration, KnowsWhatWasAcceptedOrAskedFor) {
   EXPECT_TRUE(c.has("u"));
   c.accept("t");
   EXPECT_EQ(message_of<ConfigurationError>([&] { c.reject_unknown(); }),
-            "case.toml:5:1: unknown key \"u.d\"; none is like it; --dry-run prints those there are");
+            "case.toml:5:1: unknown key \"u.d\"; no known name is similar; --dry-run prints all keys");
   c.accept("u.d");
   EXPECT_NO_THROW(c.reject_unknown());
 }

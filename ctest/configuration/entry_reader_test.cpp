@@ -75,8 +75,7 @@ TEST(ReadEntries, RefusesWhatIsNestedTooDeeply) {
   };
   constexpr int deep = 20000;
   const std::string said =
-      "is nested too deeply: a key has at most 32 parts, and at most as many brackets may stand "
-      "within each other";
+      "is nested too deeply: a key may have 32 parts at most, and 32 brackets at most may be nested";
   EXPECT_EQ(complaint(repeated("a.", deep) + "a = 1\n"), "case.toml:2:64: " + said);
   EXPECT_EQ(complaint("[" + repeated("a.", deep) + "a]\n"), "case.toml:2:65: " + said);
   EXPECT_EQ(complaint("b = " + repeated("[", deep) + repeated("]", deep)), "case.toml:2:37: " + said);
@@ -146,7 +145,7 @@ TEST(ReadOption, RefusesAListOrAQuotedTextThatIsNotClosedOrNotQuoted) {
   for (const char* value : {"[0.2 1/s, 0.1 1/s]", "\"3 kPa", " '3 kPa", "[1, 2", "{a = 1"})
     EXPECT_EQ(
         message_of<ConfigurationError>([&] { read_option("a", value, "--set a=..."); }),
-        "--set a=...: the value is no TOML: close every quote and bracket, and quote each text of a list, such as "
+        "--set a=...: the value is not TOML: close every quote and bracket, and quote each text of a list, such as "
         "[\"0.2 1/s\", \"0.1 1/s\"]")
         << value;
 }

@@ -115,8 +115,8 @@ TEST_F(LayeredConfiguration, RefusesUnknownKeysWithPlaceAndNearest) {
             }),
             "--set sample.lyaers=3: unknown key \"sample.lyaers\"; did you mean \"sample.layers\"?");
   EXPECT_EQ(complaint([&] { check(read("quick", "x = 1\ny = 2")); }),
-            "user.toml:1:1: unknown key \"x\"; none is like it; --dry-run prints those there are\n"
-            "user.toml:2:1: unknown key \"y\"; none is like it; --dry-run prints those there are");
+            "user.toml:1:1: unknown key \"x\"; no known name is similar; --dry-run prints all keys\n"
+            "user.toml:2:1: unknown key \"y\"; no known name is similar; --dry-run prints all keys");
 }
 
 TEST_F(LayeredConfiguration, ChecksTheSpellingOfScalesThatWereNotChosen) {
@@ -153,8 +153,8 @@ TEST_F(ConfigurationOnABase, LaysTheCaseFileAndItsScaleOverTheBaseAndItsScale) {
 TEST_F(ConfigurationOnABase, LeavesKeysOfTheBaseToOtherCases) {
   const Configuration c = read_on("n = 1\n[other]\nk = 1\n[scale.quick]\nother.k = 2\n", "[own]\nk = 1\n");
   EXPECT_EQ(c.integer("n"), 1);
-  EXPECT_EQ(complaint([&] { c.reject_unknown(); }), "shear/case.toml:2:2: unknown table \"own\"; none is like it; "
-                                                    "--dry-run prints those there are");
+  EXPECT_EQ(complaint([&] { c.reject_unknown(); }),
+            "shear/case.toml:2:2: unknown table \"own\"; no known name is similar; --dry-run prints all keys");
   EXPECT_EQ(c.resolved(), "n = 1\n");
 }
 

@@ -98,14 +98,14 @@ TEST(Quantity, RefusesWhatIsNoQuantity) {
   EXPECT_CONTAINS(complaint("inf Pa", dimension::stress), "not a finite number");
   EXPECT_CONTAINS(complaint("1e999 Pa", dimension::stress), "too large");
   EXPECT_CONTAINS(complaint("1e308 kPa", dimension::stress), "too large");
-  EXPECT_CONTAINS(complaint("3 kPa/", dimension::stress), "ends where a unit should follow");
+  EXPECT_CONTAINS(complaint("3 kPa/", dimension::stress), "ends with \"*\" or \"/\"; a unit must follow");
   EXPECT_CONTAINS(complaint("3 kg//m", dimension::stress), "two signs");
   EXPECT_CONTAINS(complaint("3 m^", dimension::length), "after \"^\"");
   EXPECT_CONTAINS(complaint("3 m^0", dimension::length), "after \"^\"");
   EXPECT_CONTAINS(complaint("3 m^99999999999", dimension::length), "after \"^\"");
-  EXPECT_CONTAINS(complaint("3 1 kPa", dimension::stress), "\"1 kPa\" where a unit should stand");
-  EXPECT_CONTAINS(complaint("3,5 kPa", dimension::stress), "\",5 kPa\" where a unit should stand");
-  EXPECT_CONTAINS(complaint("3 kPa; rm", dimension::stress), "where a unit should stand");
+  EXPECT_CONTAINS(complaint("3 1 kPa", dimension::stress), "\"1 kPa\" in place of a unit");
+  EXPECT_CONTAINS(complaint("3,5 kPa", dimension::stress), "\",5 kPa\" in place of a unit");
+  EXPECT_CONTAINS(complaint("3 kPa; rm", dimension::stress), "in place of a unit");
 }
 
 TEST(Dimension, HasNameUnitAndExampleThatFitsItself) {

@@ -36,8 +36,8 @@ TEST(Tables, RefuseAValueOfTheUsersThatNobodyReads) {
   };
   EXPECT_NO_THROW(read("point.near.coupling.time_step"));
   EXPECT_EQ(message_of<ConfigurationError>([&] { read("coupling.time_step"); }),
-            "--set coupling.time_step=2e-4: \"coupling.time_step\" has no effect, as all that would read it have a "
-            "nearer key, such as \"point.near.coupling.time_step\"; give that instead");
+            "--set coupling.time_step=2e-4: \"coupling.time_step\" has no effect: every run that could use it has a "
+            "nearer key, such as \"point.near.coupling.time_step\"; set that key instead");
 }
 
 TEST(Tables, MissAKeyInTheLast) {
@@ -86,7 +86,7 @@ h = { like = 'g' }
   EXPECT_EQ(with_like(configuration, "sample", "e"),
             (std::vector<std::string>{"sample.e", "sample.f", "sample.b", "sample.a"}));
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "g"); }),
-                  "sample.h.like = \"g\" leads back to a table that is like this one");
+                  "sample.h.like = \"g\" closes a loop of tables, each like the next");
   EXPECT_EQ(with_like(configuration, "sample", "a"), std::vector<std::string>{"sample.a"});
   const std::vector<std::string> tables = with_like(configuration, "sample", "b");
   EXPECT_EQ(tables, (std::vector<std::string>{"sample.b", "sample.a"}));

@@ -228,7 +228,7 @@ TEST(ReadCoupling, RefusesATimeStepBeyondTheLimitOfStabilityUnlessAllowed) {
 TEST(ReadCoupling, RefusesPortionsThatHideThePeakOfTheSample) {
   const std::string rate = "inertial_number = 1e-4";  // 0.0545 1/s at sigma_0; the floor comes later
   EXPECT_NO_THROW(coupling_of(with("n_accum = 10", "n_accum = 1700")));
-  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 2000"), "portions of 0.00109");
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 2000"), "passes a strain of 0.00109 at once");
   EXPECT_CONTAINS(coupling_complaint(rate, "inertial_number = 1e-1"), "n_accum = 10 passes strain in portions");
 }
 
@@ -261,7 +261,7 @@ TEST(ReadRowSpacing, NeedsADistance) {
   EXPECT_CONTAINS(message_of<ConfigurationError>([] {
                     read_row_spacing(Configuration::from_text("[rows]\nmost_rows = 100\n", "case.toml"), "rows");
                   }),
-                  "rows.most_rows = 100 says nothing of the distance of rows; give row_interval, row_strain or both");
+                  "rows.most_rows = 100 does not give the spacing of rows; give row_interval, row_strain or both");
 }
 
 TEST(CheckStrength, RefusesASlopeThatIsSteeperThanItsSampleBears) {
@@ -272,7 +272,7 @@ TEST(CheckStrength, RefusesASlopeThatIsSteeperThanItsSampleBears) {
   // tau_0/sigma_0 = 0.0935 at 5 degrees and 0.0749 at 4.
   EXPECT_NO_THROW(check("\"5 deg\"", 0.1));
   const std::string message = message_of<ConfigurationError>([&] { check("\"5 deg\"", 0.09); });
-  EXPECT_CONTAINS(message, "case.toml:7:9: slope.angle = \"5 deg\" makes tau_0 0.0935 of sigma_0");
+  EXPECT_CONTAINS(message, "case.toml:7:9: slope.angle = \"5 deg\" makes tau_0/sigma_0 = 0.0935");
   EXPECT_CONTAINS(message, "make the slope flatter");
   EXPECT_NO_THROW(check("\"4 deg\"", 0.09));
 }

@@ -192,7 +192,7 @@ TEST_F(CaseProgramTest, SkipsWhatIsComplete) {
   const Outcome again = run({});
   EXPECT_EQ(again.code, 0);
   EXPECT_TRUE(again.ran.empty());
-  EXPECT_CONTAINS(again.error, "a: is there already, with this configuration (code ");
+  EXPECT_CONTAINS(again.error, "a: the result exists, with this configuration (code ");
   EXPECT_EQ(content_of(out() / "a.h5"), before);
 }
 
@@ -333,7 +333,7 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   const Outcome outcome = run({"--dry-run", "--point", "a", "--set", "size=1 cm"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(outcome.output.starts_with("# resolved configuration, hash ")) << outcome.output;
-  EXPECT_CONTAINS(outcome.output, "keys with a bare number take bare numbers\n");
+  EXPECT_CONTAINS(outcome.output, "a key with a bare number takes bare numbers only\n");
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # case/case.toml:5\n", "count = 3"));
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # --set size=1 cm\n", "size = \"0.01 m\""));
   EXPECT_CONTAINS(outcome.output, "\n# changed: size = \"0.01 m\", not \"2 mm\"\n");
@@ -361,7 +361,7 @@ TEST_F(CaseProgramTest, RefusesUnknownKeysAndPointsWithTheNearest) {
   EXPECT_EQ(complaint({"--set", "cuont=4"}),
             "flowslide: --set cuont=4: unknown key \"cuont\"; did you mean \"count\"?\n");
   EXPECT_EQ(complaint({"--point", "c"}),
-            "flowslide: --point: \"c\" is not there; it must be \"a\" or \"b\"; did you mean \"a\"?\n");
+            "flowslide: --point: \"c\" does not exist; it must be \"a\" or \"b\"; did you mean \"a\"?\n");
   EXPECT_TRUE(nothing_written());
 }
 

@@ -153,7 +153,7 @@ TEST(CommandLine, HelpNamesNoFigureWhereThereIsNone) {
   const char* words[] = {"hard", "--help"};
   const std::string help = message_of<FinishedEarly>([&] { parse(2, words, hard); });
   EXPECT_CONTAINS(help, "Hard scenes.");
-  EXPECT_CONTAINS_NOT(help, "Draws");
+  EXPECT_CONTAINS_NOT(help, "Figures");
 }
 
 TEST(CommandLine, VersionNamesCaseAndVersion) {
@@ -170,7 +170,7 @@ TEST(SelectedPoints, RefuseAnUnknownName) {
   EXPECT_CONTAINS(message_of<ConfigurationError>([] {
                     selected_points(read({"--point", "loos"}), {"loose", "dense"});
                   }),
-                  "--point: \"loos\" is not there; it must be \"loose\" or \"dense\"; did you mean \"loose\"?");
+                  "--point: \"loos\" does not exist; it must be \"loose\" or \"dense\"; did you mean \"loose\"?");
 }
 
 TEST(CommandLine, ReadsHowLongARunMayTake) {

@@ -31,7 +31,7 @@ TEST(Replicates, BeginWithRecipesOfTheirOwn) {
     refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1)}});
   });
   EXPECT_CONTAINS(message, "replicates 1 and 3 of the sample \"loose\" are the same");
-  EXPECT_CONTAINS(message, "give sample.loose.seed_offsets a number for each replicate, no two of them equal");
+  EXPECT_CONTAINS(message, "give sample.loose.seed_offsets one number for each replicate, all of them different");
 }
 
 TEST(Replicates, AreRefusedWhenASearchComesToTheSampleOfAnother) {

@@ -50,10 +50,10 @@ TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
   };
   ASSERT_EQ(run(mine), 0) << error_;
   ASSERT_EQ(run(mine), 0);
-  EXPECT_CONTAINS(error_, "is there already");
+  EXPECT_CONTAINS(error_, "the result exists");
   scratch_.write("quake.txt", "# the same numbers\n0 0.0\n1 5e2  # Pa\n");
   ASSERT_EQ(run(mine), 0);
-  EXPECT_CONTAINS(error_, "is there already");
+  EXPECT_CONTAINS(error_, "the result exists");
 
   scratch_.write("quake.txt", "0 0\n1 501\n");
   EXPECT_EQ(run(mine), 2);
@@ -260,7 +260,7 @@ TEST_F(SlideProgram, RefusesWhatNoSlideHas) {
       {"coupling.n_accum = 0", "must be between 1 and"},
       {"slope.hydraulic_conductivity = '-1e-9 m/s'", "must be at least 0 m/s"},
       {"loading.duration = 0", "must be above 0 s"},
-      {"slope.angle = '30 deg'", "a sample of friction 0.5 bears less than 0.5"},
+      {"slope.angle = '30 deg'", "a sample with friction 0.5 bears less than 0.5"},
       {table("empty.txt", ""), "the loading table is empty"},
       {table("unsorted.txt", "0 1\n2 1\n1 1\n"), "unsorted.txt:3"},
       {table("nan.txt", "0 1\n1 nan\n"), "nan.txt:2"},

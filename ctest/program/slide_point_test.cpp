@@ -201,8 +201,8 @@ TEST(SlidePoint, NeedsASampleThatIsPreparedToTheStressesOfItsSlope) {
   text.replace(text.find("isotropic = false"), 17, "isotropic = true");
   EXPECT_CONTAINS(
       message_of<ConfigurationError>([&] { read(text, "RD"); }),
-      "is prepared to tau = 0 Pa, and the slope begins with 2650 Pa: they may differ by 0.05 sigma_0 at most; "
-      "choose a sample that is not isotropic, or let the residual stay");
+      "is prepared to tau = 0 Pa, but the slope starts with 2650 Pa: they may differ by 0.05 sigma_0 at most; "
+      "choose a sample that is not isotropic, or set residual = \"stays\"");
   EXPECT_NO_THROW(read(text, "RD", 0, "elastic"));  // in balance with any slope
   text.replace(text.find("residual = \"fades\""), 18, "residual = \"stays\"");
   EXPECT_NO_THROW(read(text, "RD"));

@@ -33,7 +33,7 @@ TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
   EXPECT_EQ(content_of(output() / "changes.txt"), changed + "\n");
   ASSERT_EQ(run({"--list", "--set", "loading.amplitude=2 kPa"}), 0);
   EXPECT_CONTAINS(text_, "pulse of 2 kPa over 2 s");
-  EXPECT_CONTAINS(error_, "settings that are not those of the case: " + changed + "; its claims are not evaluated");
+  EXPECT_CONTAINS(error_, "settings differ from those of the case: " + changed + "; its claims are not evaluated");
   ASSERT_EQ(run({"--list", "--json", "--set", "loading.amplitude=2 kPa"}), 0);
   EXPECT_EQ(nlohmann::json::parse(text_).at("changed"), nlohmann::json::array({changed}));
 }

@@ -146,7 +146,7 @@ class Study {
     const std::string before = content_of_file(result(points_.front()));
     expect_judged(call({}, changes_));
     for (const std::string& point : points_)
-      expect(said_.find(point + ": is there already") != std::string::npos, point + " was run again");
+      expect(said_.find(point + ": the result exists") != std::string::npos, point + " was run again");
     expect(content_of_file(result(points_.front())) == before, "a repetition changed the result");
   }
   void change_it() {

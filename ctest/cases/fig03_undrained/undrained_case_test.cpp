@@ -136,7 +136,7 @@ TEST_F(UndrainedProgram, RefusesTimeStepsAbove065RayleighTimes) {
 
 TEST_F(UndrainedProgram, RefusesWhatCannotBeReached) {
   EXPECT_CONTAINS(complaint_about("sample.e0_790.void_ratio=0.3"), "it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint_about("slope.angle=40 deg"), "and a sample of friction 0.5 bears less than 0.5");
+  EXPECT_CONTAINS(complaint_about("slope.angle=40 deg"), "but a sample with friction 0.5 bears less than 0.5");
   EXPECT_CONTAINS(complaint_about("point.e0_790.shear_rate=0 1/s"), "it must be above 0 1/s");
   const std::string for_ever = complaint_about("point.e0_790.shear_rate=1e-20 1/s");
   EXPECT_CONTAINS(for_ever, "a strain of 0.5 at the rate 1e-20 1/s");
@@ -209,7 +209,7 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const std::string bytes = content_of("out/I_2e-2.h5");
   const Outcome again = run(small);
   EXPECT_EQ(again.code, 0);
-  EXPECT_CONTAINS(again.error, "I_2e-2: is there already, with this configuration (code ");
+  EXPECT_CONTAINS(again.error, "I_2e-2: the result exists, with this configuration (code ");
   EXPECT_EQ(content_of("out/I_2e-2.h5"), bytes);
 
   Options other = small;

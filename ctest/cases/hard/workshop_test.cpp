@@ -29,7 +29,7 @@ TEST(Suite, RefusesASampleOfAnotherName) {
   }
   EXPECT_CONTAINS(
       message_of<ConfigurationError>([&] { read(overrides); }),
-      "--set sample.dens.void_ratio=0.7: the value is no sample of these scenes; leave it out, or call it ");
+      "--set sample.dens.void_ratio=0.7: the value is not a sample of these scenes; remove it, or name it ");
 }
 
 }  // namespace
