@@ -86,14 +86,14 @@ h = { like = 'g' }
   EXPECT_EQ(with_like(configuration, "sample", "e"),
             (std::vector<std::string>{"sample.e", "sample.f", "sample.b", "sample.a"}));
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "g"); }),
-                  "sample.h.like = \"g\" closes a loop of tables, each like the next");
+                  "sample.h.like = 'g' closes a loop of tables, each like the next");
   EXPECT_EQ(with_like(configuration, "sample", "a"), std::vector<std::string>{"sample.a"});
   const std::vector<std::string> tables = with_like(configuration, "sample", "b");
   EXPECT_EQ(tables, (std::vector<std::string>{"sample.b", "sample.a"}));
   EXPECT_EQ(within(tables, "packing", {"packing"}).names(),
             (std::vector<std::string>{"sample.b.packing", "sample.a.packing", "packing"}));
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "c"); }),
-                  "sample.c.like = \"d\" is not allowed");
+                  "sample.c.like = 'd' is not allowed");
 }
 
 }  // namespace

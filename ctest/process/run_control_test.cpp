@@ -81,8 +81,8 @@ TEST_F(RunControlTest, KeepsAPreparationWhenThatIsDue) {
   control.border_of_preparation(keep);
   EXPECT_EQ(kept, 1);
   ::raise(SIGTERM);
-  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "the same command goes on with");
-  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "begins anew");
+  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "the same command continues the preparation");
+  EXPECT_CONTAINS(message_of<Stopped>([&] { control.border_of_preparation(keep); }), "starts again");
 }
 
 TEST_F(RunControlTest, StopsOnSignals) {

@@ -75,7 +75,7 @@ TEST_F(UndrainedProgram, ListsItsPointsAndWritesNothing) {
   EXPECT_EQ(point.at("name"), "e0_790");
   EXPECT_EQ(point.at("figures"), nlohmann::json::array({"2", "3"}));
   EXPECT_GT(point.at("predicted_seconds"), 0.0);
-  EXPECT_EQ(point.at("description"), "sample e0_790 (seed 2) alone, 0.06 /s to 50 %");
+  EXPECT_EQ(point.at("description"), "sample e0_790 (seed 1) alone, 0.06 /s to 50 %");
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
 }
 
