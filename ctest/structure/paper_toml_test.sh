@@ -18,7 +18,7 @@ used=$(for file in cases/*/case.toml; do
   done
 done | sed -n 's|.* # cases/paper.toml:\([0-9]*\)$|\1|p' | sort -un)
 keys=$(awk '/^\[/ { table = substr($1, 2, length($1) - 2) "."; in_scale = table ~ /^scale/ }
-            /^[a-z_.]* = / { if (in_scale) { print NR; delete line[$1] } else line[table $1] = NR }
+            /^[a-z0-9_.]* = / { if (in_scale) { print NR; delete line[$1] } else line[table $1] = NR }
             END { for (key in line) print line[key] }' cases/paper.toml)
 [[ $(wc -w <<<"$keys") -gt 50 ]] || { echo "FAILED: found $(wc -w <<<"$keys") keys in cases/paper.toml"; exit 1; }
 unused=$(comm -23 <(sort <<<"$keys") <(sort <<<"$used"))
