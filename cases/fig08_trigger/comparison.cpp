@@ -88,9 +88,6 @@ void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metri
   for (const auto& [a, b] : pairs)
     ratios.push_back(velocity_ratio(windows_over(*a, "displacement"), windows_over(*b, "displacement")));
   metrics["velocity_ratio"] = statistics_of(ratios).median;
-  const std::vector<double> before = values_of(*rd, "linearity_1"), after = values_of(*rd, "linearity_2");
-  if (!before.empty() && !after.empty())
-    metrics["linearity_gap"] = statistics_of(before).lowest - statistics_of(after).highest;
   metrics["inertial_number_ratio"] = median(*ri, "steady_inertial_number") / median(*rd, "steady_inertial_number");
 }
 

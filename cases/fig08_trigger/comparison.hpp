@@ -15,7 +15,6 @@ namespace flowslide {
 ///   velocity_ratio                velocity of RD / velocity of RI, median over the samples. It is taken at the same
 ///                                 displacement, just before the end of the shorter record, because the schemes become
 ///                                 unstable at slightly different times.
-///   linearity_gap                 RD: lowest linearity_1 (before liquefaction) - highest linearity_2 (after it)
 ///   inertial_number_ratio         median I beyond 50 % strain at the rate of the slope: RI / RD
 void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metrics);
 
