@@ -27,17 +27,20 @@ std::filesystem::path take_base(std::vector<Entry>& file) {
   return base.lexically_normal();
 }
 
-void refuse_base(const std::vector<Entry>& file) {
+/// `reason` is a clause that says why a file of this kind has no base.
+void refuse_base(const std::vector<Entry>& file, std::string_view reason) {
   for (const Entry& entry : file)
     if (entry.key == "base")
-      throw ConfigurationError(
-          fmt::format("{}: only a case.toml may have a base; take the key out", entry.key_place.text()));
+      throw ConfigurationError(fmt::format("{}: {}; take the key out", entry.key_place.text(), reason));
 }
 
 /// Names of the scales of a file, in the order of the file. Throws ConfigurationError if [scale] holds a value.
 std::vector<std::string> scales_of(const std::vector<Entry>& file) {
   std::vector<std::string> scales;
   for (const Entry& entry : file) {
+    if (entry.key == "scale" && entry.kind != Entry::Kind::table)
+      throw ConfigurationError(fmt::format("{}: scale = {} is a value, but [scale] holds one table per scale; choose the "
+                                           "scale with --scale", entry.key_place.text(), entry.whole.written));
     if (!stands_below(entry.key, "scale") || entry.key.find('.', 6) != std::string::npos) continue;
     const std::string name = entry.key.substr(6);
     if (entry.kind != Entry::Kind::table)
@@ -68,7 +71,7 @@ std::vector<std::string> lay_published(LaidEntries& laid, const Layers& layers) 
   std::vector<Entry> case_file = read_entries(layers.case_file), base_file;
   if (const std::filesystem::path base = take_base(case_file); !base.empty()) {
     base_file = read_entries(base);
-    refuse_base(base_file);
+    refuse_base(base_file, "the base of a case.toml has no base of its own");
     laid.base = base.string();
   }
   std::vector<std::string> scales = scales_of(base_file);
@@ -88,7 +91,7 @@ std::vector<std::string> lay_published(LaidEntries& laid, const Layers& layers) 
 
 void lay_user_file(LaidEntries& laid, const Layers& layers, const std::vector<std::string>& scales) {
   std::vector<Entry> file = read_entries(*layers.user_file);
-  refuse_base(file);
+  refuse_base(file, "a file for --config is laid over the case.toml of the case and has no base");
   for (const std::string& name : scales_of(file)) {
     if (std::find(scales.begin(), scales.end(), name) != scales.end()) continue;
     const auto table =

@@ -15,10 +15,17 @@ namespace {
 /// Distance between the seeds of two replicates. It leaves room for the seeds that a search tries.
 constexpr std::uint64_t seeds_per_replicate = 1000;
 
+/// A grain with its contacts needs about 1 kB.
+constexpr std::int64_t most_grains = 10'000'000;
+
 LatticePacking read_packing(const Configuration& configuration, const TableNames& tables) {
   const Tables table(configuration, tables);
   LatticePacking packing;
   read_fields(table, packing, {"spacing", "jitter", "seed"});
+  const auto& counts = packing.counts;
+  if (const std::int64_t grains = std::int64_t{counts[0]} * counts[1] * counts[2]; grains > most_grains)
+    table.refuse("lattice", fmt::format("gives {} grains, and {} are allowed", grains, most_grains),
+                 "choose a smaller lattice");
   if (packing.largest_diameter < packing.smallest_diameter)
     table.refuse("largest_diameter", fmt::format("is below packing.smallest_diameter, {} m", packing.smallest_diameter),
                  "change one of them");

@@ -132,6 +132,12 @@ TEST_F(LayeredConfiguration, ChecksTheSpellingOfScalesThatWereNotChosen) {
                   "user.toml:2:1: unknown table \"smaple\"");
 }
 
+TEST_F(LayeredConfiguration, RefusesTheChoiceOfAScaleByAKey) {
+  EXPECT_EQ(complaint([&] { read("", "scale = 'paper'\n"); }),
+            "user.toml:1:1: scale = 'paper' is a value, but [scale] holds one table per scale; choose the scale with "
+            "--scale");
+}
+
 class ConfigurationOnABase : public LayeredConfiguration {
  protected:
   Configuration read_on(const std::string& base, const std::string& case_file, const std::string& scale = "") const {
@@ -186,7 +192,9 @@ TEST_F(ConfigurationOnABase, RefusesABaseThatIsNoneOrMissingOrHasABaseItself) {
   EXPECT_EQ(of_case("base = 3\n"), "case.toml:1:1: base is not a text; name a file, such as base = \"../paper.toml\"");
   EXPECT_CONTAINS(of_case("base = 'none.toml'\n"), "none.toml");
   scratch_.write("paper.toml", "base = 'deeper.toml'\n");
-  EXPECT_EQ(of_case("base = 'paper.toml'\n"), "paper.toml:1:1: only a case.toml may have a base; take the key out");
+  EXPECT_EQ(of_case("base = 'paper.toml'\n"), "paper.toml:1:1: the base of a case.toml has no base of its own; take the key out");
+  EXPECT_EQ(complaint([&] { read("", "base = 'paper.toml'\n"); }),
+            "user.toml:1:1: a file for --config is laid over the case.toml of the case and has no base; take the key out");
 }
 
 TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {

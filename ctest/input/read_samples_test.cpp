@@ -326,6 +326,8 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
   // More than an int holds would otherwise come out as some other lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[1000, 1000, 1000]"),
+                  "packing.lattice = [1000, 1000, 1000] gives 1000000000 grains, and 10000000 are allowed");
 }
 
 TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
