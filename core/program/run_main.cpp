@@ -48,6 +48,10 @@ int with_output_written(int code, int rank) {
   std::cout.flush();
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && !std::cout.fail();
   if (written || rank > 0) return code;
+  if (errno == 0) {  // An earlier write failed. Another one fails for the same reason, and the output is incomplete anyway.
+    std::clearerr(stdout);
+    if (std::fputc('\n', stdout) != EOF) std::fflush(stdout);
+  }
   const char* reason = errno != 0 ? std::strerror(errno) : "writing failed";
   std::fprintf(stderr, "flowslide: standard output cannot be written: %s; what was printed is not complete\n", reason);
   std::fflush(stderr);

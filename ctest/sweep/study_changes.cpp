@@ -59,7 +59,8 @@ std::vector<Setting> settings_in(std::string_view dry_run) {
     const std::size_t equals = line.find(" = ");
     if (line.starts_with('#') || equals == std::string::npos) continue;
     std::string value = line.substr(equals + 3);
-    if (const std::size_t comment = value.rfind("  # "); comment != std::string::npos) value.resize(comment);
+    value.resize(std::min(value.size(), value.rfind(" # ")));  // where it comes from
+    value.resize(value.find_last_not_of(' ') + 1);
     settings.push_back({line.substr(0, equals), value});
   }
   return settings;
