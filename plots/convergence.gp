@@ -34,7 +34,7 @@ do for [format in "png pdf"] {
   set output picture.".".format
   set multiplot layout 3, 2
 
-  set xrange [0:32]; set yrange [0:7]
+  set xrange [0:32]; set yrange [0:9]
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
   do for [c = 1:2] {
