@@ -3,6 +3,7 @@
 # plots_test.sh: the scripts of the figures name columns, never numbers; and what they share finds columns, rows and labels
 # in a folder whose name a shell would run, ends with 2 for a table or column that is missing, and draws tables without rows.
 set -euo pipefail
+export LC_ALL=C.UTF-8   # gnuplot warns of signs that a plain locale lacks
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
