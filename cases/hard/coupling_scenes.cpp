@@ -20,21 +20,25 @@ double alone(const Workshop& workshop, const PreparedSample& sample) {
   const SampleRecipe& recipe = workshop.suite().loose;
   const double rate =
       shear_rate_for(inertial_number, sample.assembly.mean_diameter(), recipe.material.density, recipe.normal_stress);
-  return mean_shear(shear(workshop, sample.assembly, {recipe.material, 1e-5}, rate, until, 200), from);
+  return mean_shear(shear(workshop, sample.assembly, {recipe.material, 1e-5}, {rate, until, 200}), from);
 }
 
 /// Mean shear stress of the sample under a slope, Pa, weighted by strain.
 double coupled(const Workshop& workshop, const PreparedSample& sample, const std::string& coupling) {
   const SlideSettings settings = workshop.slide(high_rate + coupling, push, workshop.suite().slope);
   double sum = 0.0, passed = 0.0;
-  slide_on_grains(workshop, sample.assembly, settings, {.end_time = 0.5, .end_shear_strain = until}, true,
-                  [&](const Slide& slide) {
-                    const SlideState& state = slide.state();
-                    if (state.strain.shear < from) return;
-                    const double strain = state.sliding.velocity * settings.time_step;
-                    sum += strain * state.stress.shear;
-                    passed += strain;
-                  });
+  const auto add = [&](const Slide& slide) {
+    const SlideState& state = slide.state();
+    if (state.strain.shear < from) return;
+    const double strain = state.sliding.velocity * settings.time_step;
+    sum += strain * state.stress.shear;
+    passed += strain;
+  };
+  run_slide(workshop, sample.assembly,
+            {.settings = settings,
+             .stop = {.end_time = 0.5, .end_shear_strain = until},
+             .linear_start = true,
+             .observe = add});
   return passed > 0.0 ? sum / passed : 0.0;
 }
 

@@ -19,8 +19,8 @@ SceneRecord flow_scene(const Workshop& workshop) {
     // tau/sigma of steady flow of spheres with mu = 0.5 is 0.3 to 0.6, from quasi-static to collisional flow.
     record.trials.push_back(
         attempt(fmt::format("tau/sigma at {} /s over 200 to 1000 %", rate), {0.4, 0.1, 0.2, 0.7}, [&] {
-          const auto looks = shear(workshop, sample, {material, 4e-6}, rate, strain, 2000);
-          return mean_shear(looks, settled) / mean_normal(looks, settled);
+          const auto readings = shear(workshop, sample, {material, 4e-6}, {rate, strain, 2000});
+          return mean_shear(readings, settled) / mean_normal(readings, settled);
         }));
   }
   return record;
@@ -41,13 +41,14 @@ SceneRecord resolidification_scene(const Workshop& workshop) {
                        "history = \"pulse\"\namplitude = \"15 kPa\"\nduration = \"0.2 s\"\n", slope);
     Course course;
     double time = 0.0;
-    slide_on_grains(workshop, sample, settings, {.end_time = 0.4}, false, [&](const Slide& slide) {
+    const auto add = [&](const Slide& slide) {
       course.lowest_pressure = std::min(course.lowest_pressure, slide.basal_pore_pressure());
       course.lowest_velocity = std::min(course.lowest_velocity, slide.state().velocity);
       if (slide.state().time < 0.25) return;
       course.stress += slide.state().stress.shear * settings.time_step;
       time += settings.time_step;
-    });
+    };
+    run_slide(workshop, sample, {.settings = settings, .stop = {.end_time = 0.4}, .observe = add});
     course.stress /= time;
     return course;
   };

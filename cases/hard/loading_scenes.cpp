@@ -19,7 +19,7 @@ std::string pulse(double amplitude, double duration) {
 double velocity_after(const Workshop& workshop, const Assembly& sample, const std::string& coupling, double amplitude,
                       double duration) {
   const SlideSettings settings = workshop.slide(coupling, pulse(amplitude, duration), workshop.suite().slope);
-  return slide_on_grains(workshop, sample, settings, {.end_time = duration}, false).velocity;
+  return run_slide(workshop, sample, {.settings = settings, .stop = {.end_time = duration}}).velocity;
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ SceneRecord angle_scene(const Workshop& workshop) {
       recipe.shear_stress = initial_shear_stress(slope);
       const Assembly sample = workshop.prepared(recipe).assembly;
       const SlideSettings settings = workshop.slide("", "", slope);
-      return slide_on_grains(workshop, sample, settings, {.end_time = 0.2}, false).sliding.displacement;
+      return run_slide(workshop, sample, {.settings = settings, .stop = {.end_time = 0.2}}).sliding.displacement;
     };
     // A slope in balance stands. The stress residual of the servo may move it by about 1e-6 of the thickness of the
     // layer.

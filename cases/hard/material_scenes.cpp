@@ -10,7 +10,7 @@
 namespace flowslide {
 namespace {
 
-constexpr int looks = 200;
+constexpr int readings = 200;
 constexpr double strain = 0.006;  // up to this strain, trajectories have not diverged by rounding
 
 /// Adds two trials: the largest shear stress of a sample at time steps of 0.2 and 0.45 Rayleigh times. The right value
@@ -21,7 +21,7 @@ void add_peak(const Workshop& workshop, SampleRecipe recipe, const std::string& 
   Assembly sample;
   const auto peak = [&](double share) {
     const double step = time_step_of(share, sample, recipe.material);
-    return peak_of(shear(workshop, sample, {recipe.material, step}, workshop.suite().shear_rate, strain, looks));
+    return peak_of(shear(workshop, sample, {recipe.material, step}, {workshop.suite().shear_rate, strain, readings}));
   };
   const SceneTrial preparation = attempt(setting + ", prepared: e_0", {0.75, 0.15, 0.5, 1.0, refusal}, [&] {
     const PreparedSample prepared = workshop.prepared(recipe);
@@ -43,7 +43,7 @@ SceneRecord fast_shear_scene(const Workshop& workshop) {
   const Material& material = workshop.suite().material;
   const Assembly sample = expanded(workshop, 0.125);
   const auto stress = [&](double rate, double step) {
-    return mean_shear(shear(workshop, sample, {material, step}, rate, 20.0, 2000), 5.0);
+    return mean_shear(shear(workshop, sample, {material, step}, {rate, 20.0, 2000}), 5.0);
   };
   SceneRecord record;
   double before = 0.0, slower = 0.0;

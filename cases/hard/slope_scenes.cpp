@@ -105,7 +105,8 @@ SceneRecord drained_grains_scene(const Workshop& workshop) {
             {1.0, 0.01, 0.9, 1.1, beyond && std::string(scheme) == "euler" ? "unstable" : ""}, [&] {
               const SlideSettings settings = workshop.slide(
                   fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
-              return slide_on_grains(workshop, sample, settings, {.end_time = 0.1}, false).stress.normal / normal;
+              return run_slide(workshop, sample, {.settings = settings, .stop = {.end_time = 0.1}}).stress.normal /
+                     normal;
             }));
       }
   return record;

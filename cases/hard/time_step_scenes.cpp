@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* time_step = "time step";  ///< text of every message that refuses a time step
 constexpr const char* too_long = "too long for contacts";
-constexpr int looks = 40;
+constexpr int readings = 40;
 constexpr double strain = 0.01;         ///< about the peak of loose samples; trajectories have not diverged by rounding
 constexpr double small_strain = 0.006;  ///< the same for samples of any stiffness
 constexpr double refined = 0.1;         ///< reference time step in Rayleigh times: 1.6e-6 s
@@ -51,21 +51,21 @@ void count_alarms(const Series& scan, const std::string& detector, std::vector<M
 
 SceneRecord time_step_scene(const Workshop& workshop) {
   const Material& material = workshop.suite().material;
-  const double rate = workshop.suite().shear_rate;
+  const Shearing shearing{workshop.suite().shear_rate, strain, readings};
   SceneRecord record;
   record.details = empty_scan();
   for (std::int64_t number = 0; number < workshop.suite().seeds; ++number) {
     const Assembly sample = workshop.prepared(Workshop::numbered(workshop.suite().loose, number)).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {material, time_step_of(share, sample, material)}, rate, strain, looks));
+      return peak_of(shear(workshop, sample, {material, time_step_of(share, sample, material)}, shearing));
     };
     const double right = peak(refined);
     for (const double share : shares) {
       record.trials.push_back(attempt(fmt::format("sample {}, dt_L = {} t_R", number + 1, share),
                                       relative(right, 0.01, wrong, share > 0.6 ? time_step : ""),
                                       [&] { return peak(share); }));
-      const PlainRun run =
-          plain_run(*workshop.engine(), sample, {material, time_step_of(share, sample, material)}, rate, strain, looks);
+      const UncheckedRun run =
+          run_unchecked(*workshop.engine(), sample, {material, time_step_of(share, sample, material)}, shearing);
       const bool is_wrong = run.lost || std::abs(run.peak / right - 1.0) > wrong;
       const std::array row{static_cast<double>(number + 1),
                            share,
@@ -94,8 +94,8 @@ SceneRecord stiffness_scene(const Workshop& workshop) {
     recipe.time_step = 0.45 * rayleigh;
     const Assembly sample = workshop.prepared(recipe).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {recipe.material, share * rayleigh}, workshop.suite().shear_rate,
-                           small_strain, looks));
+      return peak_of(shear(workshop, sample, {recipe.material, share * rayleigh},
+                           {workshop.suite().shear_rate, small_strain, readings}));
     };
     const double right = peak(refined);
     for (const double share : {0.3, 0.64})
@@ -111,7 +111,7 @@ SceneRecord dilation_scene(const Workshop& workshop) {
   const Material& material = workshop.suite().material;
   const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
   const auto strength = [&](double step) {
-    return mean_shear(shear(workshop, sample, {material, step}, workshop.suite().shear_rate, last, 300), from);
+    return mean_shear(shear(workshop, sample, {material, step}, {workshop.suite().shear_rate, last, 300}), from);
   };
   const double right = strength(2e-6);
   SceneRecord record;

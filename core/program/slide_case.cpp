@@ -104,11 +104,11 @@ void SlideCase::read(const Configuration& configuration) {
     all_samples.push_back(read_samples(configuration, slope_, replicate));
   refuse_equal_recipes(all_samples);
   for (int replicate = 0; replicate < replicates; ++replicate) {
-    const auto& samples = all_samples[static_cast<std::size_t>(replicate)];
+    const CommonSettings common{replicate, all_samples[static_cast<std::size_t>(replicate)], slope_, engine};
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
-      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine);
+      SlidePoint read = read_slide_point(configuration, name, common);
       if (closed_form_)
         read.point.sample.clear();
       else

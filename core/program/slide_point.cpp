@@ -92,21 +92,19 @@ void check_together(const Tables& table, const SlidePoint& point) {
 
 }  // namespace
 
-SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
-                            const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
-                            const std::string& engine) {
+SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, const CommonSettings& common) {
   const std::vector<std::string> tables = with_like(configuration, "point", name);
   const Tables table(configuration, tables);
   SlidePoint read;
   read.name = name;
-  read.replicate = replicate;
-  read.sample = sample_named(configuration, table.key("sample"), samples);
-  read.point.name = replicate_name(name, replicate);
+  read.replicate = common.replicate;
+  read.sample = sample_named(configuration, table.key("sample"), common.samples);
+  read.point.name = replicate_name(name, common.replicate);
   read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
   read.grains = {lattice_packing(read.sample.recipe.packing).mean_diameter(), read.sample.recipe.material.density};
   read.published = configuration.is_published("point." + name);
-  read.engine = engine_of(table, engine);
+  read.engine = engine_of(table, common.engine);
   read.point.inputs.engine = read.engine;
   if (table.has("final_strain")) {
     read_test(configuration, tables, read);
@@ -116,7 +114,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   const std::string scheme = table.text("scheme", configuration.subtables("scheme"));
   const TableNames coupling = within(tables, "coupling", {"scheme." + scheme, "coupling"});
 
-  SlopeProperties own_slope = slope;
+  SlopeProperties own_slope = common.slope;
   if (table.has("hydraulic_conductivity"))
     own_slope.hydraulic_conductivity =
         table.quantity("hydraulic_conductivity", dimension::velocity, Range::not_negative());

@@ -91,29 +91,6 @@ void say_if_new(const std::filesystem::path& cache, const ProgressStyle& style) 
                      std::filesystem::absolute(cache, failure).string());
 }
 
-PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
-                                     const ProgressStyle& style, PreparationCheckpoints& checkpoints,
-                                     const PreparationBorder& border) {
-  const std::optional<PreparationState> from = checkpoints.find();
-  const std::int64_t done = from ? from->steps : 0;
-  Progress progress(label, std::max(typical_steps, done), style, done);
-  if (from) progress.message(fmt::format("{}: goes on in {}", label, name_of_stage(from->stage)));
-  const auto observe = [&](const PreparationProgress& now) {
-    if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
-    progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
-                                           now.stress.normal));
-    if (border) border([&] { return checkpoints.keep(now.state()); });
-  };
-  try {
-    PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
-    progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
-    return sample;
-  } catch (const NumericalFailure& failure) {
-    progress.message(fmt::format("{}: failed: {}", label, failure.what()));
-    throw;
-  }
-}
-
 /// The record of a failed preparation. Its text includes `most_steps`, because more steps may let the same recipe
 /// succeed. The key of a sample leaves them out: they do not affect a completed sample.
 FailedSample failed(const SampleRecipe& recipe, const std::string& reason) {
@@ -137,13 +114,36 @@ struct SampleProvider {
     if (auto kept = find(recipe, key)) return *std::move(kept);
     PreparationCheckpoints checkpoints(folder, key);
     try {
-      PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
+      PreparedSample made = prepare(recipe, label, checkpoints);
       on_first_rank([&] { store.put(key, stored(made, recipe.text())); });
       checkpoints.remove();
       return made;
     } catch (const NumericalFailure& failure) {
       on_first_rank([&] { store.put_failure(key, failed(recipe, failure.what())); });
       checkpoints.remove();
+      throw;
+    }
+  }
+
+  /// Prepares the sample, from its last checkpoint if it has one. Shows progress and writes checkpoints.
+  PreparedSample prepare(const SampleRecipe& recipe, const std::string& label,
+                         PreparationCheckpoints& checkpoints) const {
+    const std::optional<PreparationState> from = checkpoints.find();
+    const std::int64_t done = from ? from->steps : 0;
+    Progress progress(label, std::max(typical_steps, done), style, done);
+    if (from) progress.message(fmt::format("{}: continues in {}", label, name_of_stage(from->stage)));
+    const auto observe = [&](const PreparationProgress& now) {
+      if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
+      progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
+                                             now.stress.normal));
+      if (border) border([&] { return checkpoints.keep(now.state()); });
+    };
+    try {
+      PreparedSample made = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+      progress.finish(fmt::format("e0 = {:.4f}", made.void_ratio));
+      return made;
+    } catch (const NumericalFailure& failure) {
+      progress.message(fmt::format("{}: failed: {}", label, failure.what()));
       throw;
     }
   }

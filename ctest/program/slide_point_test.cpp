@@ -16,7 +16,7 @@ SlidePoint read(const std::string& text, const std::string& name, int replicate 
   const auto configuration = Configuration::from_text(text);
   const SlopeProperties slope = read_slope(configuration);
   const auto samples = read_samples(configuration, slope, replicate);
-  return read_slide_point(configuration, name, replicate, samples, slope, engine);
+  return read_slide_point(configuration, name, {replicate, samples, slope, engine});
 }
 
 TEST(SlidePoint, TakesItsSchemeOverTheCouplingOfAll) {

@@ -31,13 +31,25 @@ class CellGrid {
   struct Sphere {
     double position[3], reach;
   };
+  /// Bins that are contiguous along x, in an image of the cell: the periods along x, y and z (-1, 0 or 1) between the
+  /// cell and this image.
+  struct BinRow {
+    std::size_t first, last;
+    std::array<int, 3> image;
+  };
+  /// The pairs of a share: those in which the share owns the first grain, and those in which it owns only the second.
+  struct FoundPairs {
+    std::size_t begin;  ///< first grain of the share
+    std::vector<NearPair> own, earlier = {};
+  };
   int bin_along(int axis, double coordinate) const;
-  void add_pairs(std::uint32_t i, const Share& share, std::vector<NearPair>& later,
-                 std::vector<NearPair>& earlier) const;
-  void add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, const Share& share,
-                            std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
-  void add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t last_bin, const std::array<int, 3>& image,
-                     const Share& share, std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
+  /// Adds the pairs of grain `i`, which the share owns, with later grains of any share and earlier grains of other
+  /// shares.
+  void add_pairs(std::uint32_t i, FoundPairs& found) const;
+  /// The same with the grains of some bins.
+  void add_from_bins(std::uint32_t i, const BinRow& bins, FoundPairs& found) const;
+  /// The same beyond a sheared face. `row` is the first bin of a row along x.
+  void add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, FoundPairs& found) const;
 
   std::array<bool, 3> periodic_;
   Vector3 lower_, length_;
