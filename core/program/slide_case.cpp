@@ -86,6 +86,7 @@ SlideCase::SlideCase(CaseDescription description) : description_(std::move(descr
 }
 
 void SlideCase::read(const Configuration& configuration) {
+  configuration.refuse_renamed("element_test", "shear_test");
   const std::string engine = configuration.text("engine", description_.engines);
   preparation_engine_ = configuration.text("preparation.engine", engine_names());
   slope_ = read_slope(configuration);

@@ -53,7 +53,7 @@ std::string engine_of(const Tables& table, const std::string& common) {
 
 void read_test(const Configuration& configuration, std::vector<std::string> tables, SlidePoint& read) {
   const TableNames coupling = within(tables, "coupling", {"coupling"});
-  tables.emplace_back("element_test");
+  tables.emplace_back("shear_test");
   read.test = read_shear_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
   check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);

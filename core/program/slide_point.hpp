@@ -44,7 +44,7 @@ struct CommonSettings {
 ///   key linear_start.
 /// - Order of lookup for loading, stop and rows: [point.<name>.loading], then [loading], and so on.
 /// - With the key final_strain the point is an element test, which has no scheme. Keys of the test that the point does
-///   not have are read from [element_test] (see read_shear_test), the local time step as above from coupling.
+///   not have are read from [shear_test] (see read_shear_test), the local time step as above from coupling.
 /// - With `like = "other"`, keys that the point does not have are read from [point.other], its tables included.
 /// - The key engine replaces the engine of the case, unless that is a closed-form sample.
 /// The predicted time depends on the engine. Throws ConfigurationError.

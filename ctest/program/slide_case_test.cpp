@@ -169,7 +169,7 @@ figures = "12"
 sample = "loose"
 shear_rate = "5 1/s"
 final_strain = 1e-3
-[element_test]
+[shear_test]
 rows = 10
 [scale.quick]
 )");
@@ -177,6 +177,11 @@ rows = 10
   EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s, 10 rows\n");
   ASSERT_EQ(run({"--list"}), 0) << error_;  // on a closed-form sample there is none
   EXPECT_EQ(text_.find("alone"), std::string::npos);
+}
+
+TEST_F(SlideProgram, RefusesTheOldNameOfTheTableOfShearTests) {
+  EXPECT_EQ(run({"--dry-run", "--set", "element_test.rows=10"}), 2);
+  EXPECT_CONTAINS(error_, "--set element_test.rows=10: \"element_test\" is called \"shear_test\" now; rename it");
 }
 
 TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
@@ -200,13 +205,13 @@ figures = "12"
 sample = "loose"
 shear_rate = "5 1/s"
 final_strain = 1e-2
-[element_test]
+[shear_test]
 rows = 10
 [scale.quick]
 )");
   const auto peak = [&](const std::string& rows) {
     fs::remove_all(output());
-    EXPECT_EQ(run({"--engine", "native", "--point", "alone", "--set", "element_test.rows=" + rows}), 0) << error_;
+    EXPECT_EQ(run({"--engine", "native", "--point", "alone", "--set", "shear_test.rows=" + rows}), 0) << error_;
     const Result result = read_result(output() / "alone.h5");
     EXPECT_EQ(result.windows.size(), 2U);
     EXPECT_EQ(parameter_of({result}, "shear_rate"), 5.0);

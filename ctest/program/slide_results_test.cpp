@@ -35,7 +35,7 @@ figures = "12"
 sample = "loose"
 shear_rate = "5 1/s"
 final_strain = 1e-3
-[element_test]
+[shear_test]
 rows = 10
 [scale.quick]
 )";

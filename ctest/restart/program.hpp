@@ -26,7 +26,7 @@ figures = "12"
 sample = "loose"
 shear_rate = "5 1/s"
 final_strain = 0.5
-[element_test]
+[shear_test]
 rows = 300
 [scale.quick]
 replicates = 1

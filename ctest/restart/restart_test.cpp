@@ -72,7 +72,7 @@ TEST_F(Restart, ASecondInterruptEndsAtOnce) {
   // A test whose rows, at which it may end, are far apart: many seconds.
   const Words long_test{"--engine", "native",
                         "--point",  "alone",
-                        "--set",    "element_test.rows=10",
+                        "--set",    "shear_test.rows=10",
                         "--set",    "point.alone.final_strain=100",
                         "--set",    "coupling.local_time_step=1e-7 s"};
   Process process(command("out", long_test), scratch_.path() / "out.said");

@@ -86,8 +86,9 @@ TEST_F(UndrainedProgram, HasPointsForEveryReplicate) {
 }
 
 TEST_F(UndrainedProgram, PlansAndWritesNothing) {
-  const Outcome plan = run({"--dry-run", "--point", "e0_790", "--set", "point.e0_790.shear_rate=0.25 1/s", "--set",
-                            "coupling.local_time_step=1e-5 s", "--set", "element_test.rows=100", "--seed", "5", "--engine", "liggghts"});
+  const Outcome plan =
+      run({"--dry-run", "--point", "e0_790", "--set", "point.e0_790.shear_rate=0.25 1/s", "--set",
+           "coupling.local_time_step=1e-5 s", "--set", "shear_test.rows=100", "--seed", "5", "--engine", "liggghts"});
   EXPECT_EQ(plan.code, 0) << plan.error;
   EXPECT_CONTAINS(plan.output, "point.e0_790.shear_rate = \"0.25 1/s\" ");
   EXPECT_CONTAINS(plan.output, "seed 5\n");
@@ -144,7 +145,7 @@ TEST_F(UndrainedProgram, RefusesWhatCannotBeReached) {
   EXPECT_CONTAINS(complaint_about("point.e0_790.final_strain=0"), "it must be above 0 and at most 100");
   EXPECT_CONTAINS(complaint_about("point.e0_790.picture_strain=60 %"), "it must be between 0 and 0.5");
   EXPECT_CONTAINS(complaint_about("point.I_1e-4.inertial_number=-1e-4"), "it must be above 0");
-  EXPECT_CONTAINS(complaint_about("element_test.rows=5"), "it must be between 10 and 100000");
+  EXPECT_CONTAINS(complaint_about("shear_test.rows=5"), "it must be between 10 and 100000");
   EXPECT_CONTAINS(complaint({"--replicates", "0"}), "--replicates: \"0\" is not allowed");
 }
 
@@ -154,9 +155,9 @@ TEST_F(UndrainedProgram, RefusesUnknownNamesWithTheNearest) {
   EXPECT_CONTAINS(complaint({"--point", "e0_79"}), "it must be \"e0_790\", \"e0_771\"");
   EXPECT_CONTAINS(complaint({"--point", "e0_79"}), "did you mean \"e0_790\"?");
   EXPECT_CONTAINS(complaint_about("point.e0_790.sample=e0_71"), "did you mean \"e0_771\"?");
-  EXPECT_EQ(complaint_about("element_test.row=5"),
-            "flowslide: --set element_test.row=5: unknown key \"element_test.row\"; did you mean "
-            "\"element_test.rows\"?\n");
+  EXPECT_EQ(complaint_about("shear_test.row=5"),
+            "flowslide: --set shear_test.row=5: unknown key \"shear_test.row\"; did you mean "
+            "\"shear_test.rows\"?\n");
   const fs::path user = scratch_.write("user.toml", "[packing]\n  latice = [5, 5, 6]\n");
   EXPECT_EQ(complaint({"--config", user.string()}), "flowslide: " + user.string() +
                                                         ":2:3: unknown key \"packing.latice\"; did you mean "
@@ -167,7 +168,7 @@ TEST_F(UndrainedProgram, RefusesItsOldKeysWithTheNewNames) {
   EXPECT_EQ(complaint_about("shear.time_step=1e-5 s"),
             "flowslide: --set shear.time_step=1e-5 s: \"shear.time_step\" is called \"coupling.local_time_step\" now; "
             "rename it\n");
-  EXPECT_CONTAINS(complaint_about("shear.rows=100"), "is called \"element_test.rows\" now");
+  EXPECT_CONTAINS(complaint_about("shear.rows=100"), "is called \"shear_test.rows\" now");
   // In a scale that was not chosen, too.
   const fs::path user = scratch_.write("user.toml", "[scale.paper]\npoint.e0_771.time_step = \"5e-6 s\"\n");
   EXPECT_CONTAINS(complaint({"--config", user.string()}),
@@ -185,10 +186,15 @@ TEST_F(UndrainedProgram, NamesThePlaceOfABadValue) {
 }
 
 /// The curve at I = 2e-2 with a sample of 150 grains of any void ratio, to 1 % strain.
-const Options small{"--set", "packing.lattice=[5, 5, 6]",          "--set", "preparation.compaction_rate=2 1/s",
-                    "--set", "preparation.stress_tolerance=5e-3",  "--set", "sample.isotropic.tolerance=0.3",
-                    "--set", "point.I_2e-2.final_strain=1 %",      "--set", "element_test.rows=10",
-                    "--set", "point.I_2e-2.picture_strain=0.5 %",  "--point", "I_2e-2", "--output", "out"};
+const Options small{"--set",    "packing.lattice=[5, 5, 6]",
+                    "--set",    "preparation.compaction_rate=2 1/s",
+                    "--set",    "preparation.stress_tolerance=5e-3",
+                    "--set",    "sample.isotropic.tolerance=0.3",
+                    "--set",    "point.I_2e-2.final_strain=1 %",
+                    "--set",    "shear_test.rows=10",
+                    "--set",    "point.I_2e-2.picture_strain=0.5 %",
+                    "--point",  "I_2e-2",
+                    "--output", "out"};
 
 TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const Outcome first = run(small);
@@ -213,10 +219,10 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   EXPECT_EQ(content_of("out/I_2e-2.h5"), bytes);
 
   Options other = small;
-  other.insert(other.end(), {"--set", "element_test.rows=11"});
+  other.insert(other.end(), {"--set", "shear_test.rows=11"});
   const Outcome refused = run(other);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_CONTAINS(refused.error, "is the result of another run (element_test.rows = 10 there, 11 now)");
+  EXPECT_CONTAINS(refused.error, "is the result of another run (shear_test.rows = 10 there, 11 now)");
 
   // These are not the settings of the paper: no claim about Fig. 4 is evaluated, of a point that was run or not.
   Options check = small;
