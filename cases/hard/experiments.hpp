@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sample/dem_sample.hpp"
-#include "workshop.hpp"
+#include "scene_context.hpp"
 
 namespace flowslide {
 

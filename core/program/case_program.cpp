@@ -25,7 +25,7 @@
 #include "record/result_file.hpp"
 #include "run/begin_point.hpp"
 #include "run/cost.hpp"
-#include "run/so_far.hpp"
+#include "run/preliminary_results.hpp"
 #include "run/status.hpp"
 
 namespace flowslide {

@@ -6,7 +6,7 @@
 #include "dem/engine.hpp"
 #include "dem/native/body.hpp"
 #include "dem/native/motion_pass.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "dem/stress_sums.hpp"
 #include "dem/uniform_flow.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem/native/contact_pass.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {

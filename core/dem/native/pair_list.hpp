@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dem/native/cell_grid.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {

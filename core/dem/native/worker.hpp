@@ -9,7 +9,7 @@
 #include "dem/native/boundaries.hpp"
 #include "dem/native/pair_list.hpp"
 #include "dem/native/passes.hpp"
-#include "dem/native/stray_watch.hpp"
+#include "dem/native/displacement_check.hpp"
 #include "dem/stress_sums.hpp"
 
 namespace flowslide::native {

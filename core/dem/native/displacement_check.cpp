@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "dem/native/stray_watch.hpp"
+#include "dem/native/displacement_check.hpp"
 
 #include <algorithm>
 

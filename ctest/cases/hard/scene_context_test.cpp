@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "workshop.hpp"
+#include "scene_context.hpp"
 
 #include "configuration/error.hpp"
 #include "support/messages.hpp"

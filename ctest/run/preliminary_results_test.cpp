@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "run/so_far.hpp"
+#include "run/preliminary_results.hpp"
 
 #include "process/exit_code.hpp"
 #include "record/gnuplot_table.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dem/native/passes.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
