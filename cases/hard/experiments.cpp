@@ -39,9 +39,9 @@ double hertz_energy(const PairConstants& pair, double overlap) {
 
 }  // namespace
 
-std::vector<ShearReading> shear(const Workshop& workshop, const Assembly& sample, const EngineSettings& settings,
+std::vector<ShearReading> shear(const SceneContext& context, const Assembly& sample, const EngineSettings& settings,
                                 const Shearing& shearing) {
-  const auto engine = workshop.engine();
+  const auto engine = context.engine();
   DemSample sheared(*engine, sample, settings);
   sheared.start_linear_at_first_strain();
   const double steps = shearing.final_strain / (shearing.rate * settings.time_step);
@@ -52,17 +52,17 @@ std::vector<ShearReading> shear(const Workshop& workshop, const Assembly& sample
     if (until > done) sheared.strain({{shearing.rate, 0.0}, until - done, settings.time_step});
     done = until;
     readings.push_back({sheared.shear_strain(), sheared.stress()});
-    workshop.border();
+    context.stop_if_due();
   }
   sheared.assembly();  // throws if the last state is not valid
   return readings;
 }
 
-Assembly expanded(const Workshop& workshop, double share) {
+Assembly expanded(const SceneContext& context, double share) {
   constexpr double time_step = 5e-6, rate = 1.0;
-  const auto engine = workshop.engine();
-  const Assembly loose = workshop.prepared(workshop.suite().loose).assembly;
-  DemSample sample(*engine, loose, {workshop.suite().material, time_step, 0.0});
+  const auto engine = context.engine();
+  const Assembly loose = context.prepared(context.settings().loose).assembly;
+  DemSample sample(*engine, loose, {context.settings().material, time_step, 0.0});
   sample.strain({{0.0, -rate}, std::llround(share / (rate * time_step)), time_step});
   return sample.assembly();
 }
@@ -84,19 +84,19 @@ double time_step_of(double share, const Assembly& sample, const Material& materi
   return share * rayleigh_time(sample.smallest_radius(), material);
 }
 
-SlideState run_slide(const Workshop& workshop, const Assembly& sample, const GrainSlide& planned) {
-  const auto engine = workshop.engine();
-  DemSample grains(*engine, sample, {workshop.suite().material, planned.settings.passing.time_step, 0.0});
+SlideState run_slide(const SceneContext& context, const Assembly& sample, const GrainSlide& planned) {
+  const auto engine = context.engine();
+  DemSample grains(*engine, sample, {context.settings().material, planned.settings.passing.time_step, 0.0});
   if (planned.linear_start) grains.start_linear_at_first_strain();
   SlideSettings settings = planned.settings;
-  settings.rate = for_grains(settings.rate, {sample.mean_diameter(), workshop.suite().material.density},
+  settings.rate = for_grains(settings.rate, {sample.mean_diameter(), context.settings().material.density},
                              initial_normal_stress(settings.slope));
   Slide slide(settings, grains);
   validate(planned.stop);
   while (stop_of(slide.state(), planned.stop, settings.time_step) == Stop::not_yet) {
     slide.step();
     if (planned.observe) planned.observe(slide);
-    workshop.border();
+    context.stop_if_due();
   }
   grains.assembly();  // throws if the last state is not valid
   return slide.state();

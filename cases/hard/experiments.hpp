@@ -23,11 +23,11 @@ struct ShearReading {
 };
 
 /// Shears a prepared sample from a linear velocity field. Throws NumericalFailure.
-std::vector<ShearReading> shear(const Workshop& workshop, const Assembly& sample, const EngineSettings& settings,
+std::vector<ShearReading> shear(const SceneContext& context, const Assembly& sample, const EngineSettings& settings,
                                 const Shearing& shearing);
 
-/// The loose sample of the suite, extended in height by the fraction `share`, which makes it loose enough to flow.
-Assembly expanded(const Workshop& workshop, double share);
+/// The loose sample of the settings, extended in height by the fraction `share`, which makes it loose enough to flow.
+Assembly expanded(const SceneContext& context, double share);
 
 /// Largest shear stress, Pa.
 double peak_of(const std::vector<ShearReading>& readings);
@@ -47,7 +47,7 @@ struct GrainSlide {
 };
 
 /// Runs a slide on a new DEM sample until it stops. Returns the last state.
-SlideState run_slide(const Workshop& workshop, const Assembly& sample, const GrainSlide& planned);
+SlideState run_slide(const SceneContext& context, const Assembly& sample, const GrainSlide& planned);
 
 /// Kinetic energy of the mobile grains, with their spin, plus the energy of all springs, J.
 double energy_of(const Assembly& assembly, const Material& material);

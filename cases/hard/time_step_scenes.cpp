@@ -49,15 +49,15 @@ void count_alarms(const Series& scan, const std::string& detector, std::vector<M
 
 }  // namespace
 
-SceneRecord time_step_scene(const Workshop& workshop) {
-  const Material& material = workshop.suite().material;
-  const Shearing shearing{workshop.suite().shear_rate, strain, readings};
+SceneRecord time_step_scene(const SceneContext& context) {
+  const Material& material = context.settings().material;
+  const Shearing shearing{context.settings().shear_rate, strain, readings};
   SceneRecord record;
   record.details = empty_scan();
-  for (std::int64_t number = 0; number < workshop.suite().seeds; ++number) {
-    const Assembly sample = workshop.prepared(Workshop::numbered(workshop.suite().loose, number)).assembly;
+  for (std::int64_t number = 0; number < context.settings().seeds; ++number) {
+    const Assembly sample = context.prepared(SceneContext::numbered(context.settings().loose, number)).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {material, time_step_of(share, sample, material)}, shearing));
+      return peak_of(shear(context, sample, {material, time_step_of(share, sample, material)}, shearing));
     };
     const double right = peak(refined);
     for (const double share : shares) {
@@ -65,7 +65,7 @@ SceneRecord time_step_scene(const Workshop& workshop) {
                                       relative(right, 0.01, wrong, share > 0.6 ? time_step : ""),
                                       [&] { return peak(share); }));
       const UncheckedRun run =
-          run_unchecked(*workshop.engine(), sample, {material, time_step_of(share, sample, material)}, shearing);
+          run_unchecked(*context.engine(), sample, {material, time_step_of(share, sample, material)}, shearing);
       const bool is_wrong = run.lost || std::abs(run.peak / right - 1.0) > wrong;
       const std::array row{static_cast<double>(number + 1),
                            share,
@@ -85,17 +85,17 @@ SceneRecord time_step_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord stiffness_scene(const Workshop& workshop) {
+SceneRecord stiffness_scene(const SceneContext& context) {
   SceneRecord record;
   for (const double gigapascal : {0.1, 0.5, 2.0, 10.0, 70.0}) {
-    SampleRecipe recipe = workshop.suite().loose;
+    SampleRecipe recipe = context.settings().loose;
     recipe.material.youngs_modulus = 1e9 * gigapascal;
     const double rayleigh = rayleigh_time(0.5 * recipe.packing.smallest_diameter, recipe.material);
     recipe.time_step = 0.45 * rayleigh;
-    const Assembly sample = workshop.prepared(recipe).assembly;
+    const Assembly sample = context.prepared(recipe).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {recipe.material, share * rayleigh},
-                           {workshop.suite().shear_rate, small_strain, readings}));
+      return peak_of(shear(context, sample, {recipe.material, share * rayleigh},
+                           {context.settings().shear_rate, small_strain, readings}));
     };
     const double right = peak(refined);
     for (const double share : {0.3, 0.64})
@@ -106,12 +106,12 @@ SceneRecord stiffness_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord dilation_scene(const Workshop& workshop) {
+SceneRecord dilation_scene(const SceneContext& context) {
   constexpr double last = 0.12, from = 0.08;  // strain at the end, and strain from which the stress is averaged
-  const Material& material = workshop.suite().material;
-  const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
+  const Material& material = context.settings().material;
+  const Assembly sample = context.prepared(context.settings().dense).assembly;
   const auto strength = [&](double step) {
-    return mean_shear(shear(workshop, sample, {material, step}, {workshop.suite().shear_rate, last, 300}), from);
+    return mean_shear(shear(context, sample, {material, step}, {context.settings().shear_rate, last, 300}), from);
   };
   const double right = strength(2e-6);
   SceneRecord record;

@@ -111,10 +111,10 @@ std::vector<std::string> Configuration::subtables(std::string_view key) const {
   return names;
 }
 
-void Configuration::refuse(std::string_view key, std::string_view problem, std::string_view mend) const {
+void Configuration::refuse(std::string_view key, std::string_view problem, std::string_view remedy) const {
   const Entry* entry = find(key);
-  if (entry == nullptr) throw ConfigurationError(fmt::format("{}: {} {}; {}", origin_, key, problem, mend));
-  refuse_value(key, entry->whole, problem, mend);
+  if (entry == nullptr) throw ConfigurationError(fmt::format("{}: {} {}; {}", origin_, key, problem, remedy));
+  refuse_value(key, entry->whole, problem, remedy);
 }
 
 void Configuration::refuse_renamed(std::string_view key, std::string_view now) const {

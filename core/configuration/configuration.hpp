@@ -90,8 +90,8 @@ class Configuration {
   void override_by(const std::string& key, const std::string& nearer) const { overridden_[key] = nearer; }
 
   /// Throws ConfigurationError about the value of `key`, for a rule that involves several keys. The message gives file,
-  /// line, column, key and the value as written, then `problem` and `mend` (the remedy; clauses without a full stop).
-  [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
+  /// line, column, key and the value as written, then `problem` and `remedy` (clauses without a full stop).
+  [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view remedy) const;
 
   /// Throws ConfigurationError if any layer has the old name `key`, whose present name is `now`. This includes the
   /// tables [scale.<name>] that were not chosen. The message gives file, line, column and both names.

@@ -14,10 +14,10 @@ std::string Tables::key(const char* name) const {
     if (found.empty()) found = candidate;
     else configuration_.override_by(candidate, found);
   }
-  return found.empty() ? table_to_mend() + "." + name : found;
+  return found.empty() ? table_to_complete() + "." + name : found;
 }
 
-const std::string& Tables::table_to_mend() const {
+const std::string& Tables::table_to_complete() const {
   const auto is_users = [&](const std::string& table) { return configuration_.is_users_table(table); };
   const auto own = std::find_if(tables_.names().begin(), tables_.names().end(), is_users);
   return own != tables_.names().end() ? *own : tables_.names().back();

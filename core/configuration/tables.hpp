@@ -60,12 +60,12 @@ class Tables {
   bool flag(const char* name) const { return configuration_.flag(key(name)); }
   /// Marks these keys as known in all tables.
   void accept(std::initializer_list<const char*> names) const;
-  [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& mend) const {
-    configuration_.refuse(key(name), problem, mend);
+  [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& remedy) const {
+    configuration_.refuse(key(name), problem, remedy);
   }
 
  private:
-  const std::string& table_to_mend() const;
+  const std::string& table_to_complete() const;
 
   const Configuration& configuration_;
   TableNames tables_;

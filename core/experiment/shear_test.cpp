@@ -95,8 +95,8 @@ Series shear_test_series() {
 }
 
 ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe,
-                                   ShearTestRecord so_far) {
-  ShearTestRecord record = std::move(so_far);
+                               ShearTestRecord previous) {
+  ShearTestRecord record = std::move(previous);
   const double time_step = sample.settings().time_step;
   const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
   std::size_t k = record.rows.rows(), m = record.measured.rows();

@@ -54,7 +54,7 @@ class CaseProgram {
     if (options_.check) return check();
     if (options_.prepare) return prepare();
     if (options_.status) return status();
-    if (options_.so_far) return write_so_far();
+    if (options_.so_far) return write_preliminary_results();
     warn_of_idle_ranks();
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
     for (const Point& point : points_)
@@ -124,11 +124,11 @@ class CaseProgram {
 
   int prepare() const {
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
-    const auto border = [&](const std::function<bool()>& keep) { control.border_of_preparation(keep); };
+    const auto poll = [&](const std::function<bool()>& keep) { control.poll_in_preparation(keep); };
     std::set<std::string> prepared{""};
     for (const Point& point : points_)
       if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
-        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), border);
+        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), poll);
     return to_int(ExitCode::ok);
   }
 
@@ -142,7 +142,7 @@ class CaseProgram {
     return to_int(ExitCode::ok);
   }
 
-  int write_so_far() const {
+  int write_preliminary_results() const {
     if (!first_rank()) return to_int(ExitCode::ok);
     const std::string& name = case_.description().name;
     const OutputFolder output = OutputFolder::open_existing(options_.output, name);
@@ -154,7 +154,7 @@ class CaseProgram {
       else
         copy.remove_point(point.name);  // an earlier call with another choice may have written it
     }
-    std::cerr << copy_so_far(output, copy, chosen);
+    std::cerr << copy_preliminary_results(output, copy, chosen);
     finish(copy);
     std::cout << copy.path().string() << "\n";
     return to_int(ExitCode::ok);
@@ -173,7 +173,7 @@ class CaseProgram {
   }
 
   void run_point(const Point& point, RunControl& control) {
-    if (control.border() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
+    if (control.poll() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
     const std::string& case_name = case_.description().name;
     const RunIdentity identity = identity_of(point);
     std::optional<OutputFolder> output;

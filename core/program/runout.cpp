@@ -14,7 +14,7 @@ namespace {
 constexpr double stress_window = 0.02;  ///< s; shorter, because sigma fluctuates faster than the velocity
 constexpr double rounding = 1e-9;       ///< margin for the rounding of a number of windows
 constexpr int coarse_rows = 25;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Means of a column over windows that overlap by half, to the end of the record. `window`: length of a window, s.
 std::vector<double> running_means(const Series& over_time, const std::string& column, double window) {
@@ -57,7 +57,7 @@ double largest_velocity(const Series& over_time) {
 
 double velocity_at(const Series& over_time, double time) {
   const double half = 0.5 * velocity_window, slack = rounding * velocity_window;
-  if (!(time - half >= -slack && time + half <= end_of(over_time) + slack)) return nothing;
+  if (!(time - half >= -slack && time + half <= end_of(over_time) + slack)) return undefined;
   return mean_over(over_time, "velocity", time - half, time + half);
 }
 
@@ -65,7 +65,7 @@ std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
   const auto* pulse = std::get_if<SinePulse>(&outcome.point.settings.loading);
   const Series& over_time = outcome.measures.over_time;
   const bool stopped = outcome.stop == Stop::sliding_stopped;
-  double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : nothing;
+  double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : undefined;
   if (pulse != nullptr && stopped && std::isnan(after)) after = 0.0;
   return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
           {"lowest_normal_stress", statistics_of(running_means(over_time, "normal_stress", stress_window)).lowest, "Pa",
@@ -96,7 +96,7 @@ std::vector<double> medians_along(const std::vector<SweepMember>& sweep, const s
 double rank_correlation(const std::vector<double>& first, const std::vector<double>& second) {
   const auto is_nan = [](double value) { return std::isnan(value); };
   if (std::any_of(first.begin(), first.end(), is_nan) || std::any_of(second.begin(), second.end(), is_nan))
-    return nothing;
+    return undefined;
   const std::vector<double> x = ranks_of(first), y = ranks_of(second);
   const double middle = 0.5 * static_cast<double>(x.size() + 1);
   const auto moment = [&](const std::vector<double>& a, const std::vector<double>& b) {

@@ -62,9 +62,9 @@ Assembly assembly_of(Input& input) {
 
 Checkpoint checkpoint_of(Input& input) {
   Checkpoint checkpoint;
-  checkpoint.so_far.series.columns = {{"shear_strain", "gamma", "1", "shear strain", "", {}}};
+  checkpoint.partial_result.series.columns = {{"shear_strain", "gamma", "1", "shear strain", "", {}}};
   for (int i = input.byte() % 4; i > 0; --i)
-    checkpoint.so_far.series.append_row(0.5 * i, std::vector{0.25 * i});
+    checkpoint.partial_result.series.append_row(0.5 * i, std::vector{0.25 * i});
   checkpoint.share_done = input.value();
   for (const char* name : {"time", "steps"}) checkpoint.sample.numbers[name] = input.value();
   if (input.byte() % 2 == 0) checkpoint.sample.grains = assembly_of(input);
@@ -81,7 +81,7 @@ Checkpoint checkpoint_of(Input& input) {
     slide.exchanges.largest_strain = input.value();
     checkpoint.slide = slide;
   }
-  if (input.byte() % 2 == 0) checkpoint.measured = checkpoint.so_far.series;
+  if (input.byte() % 2 == 0) checkpoint.measured = checkpoint.partial_result.series;
   if (input.byte() % 4 == 0) checkpoint.shots.push_back({input.value(), input.value(), assembly_of(input)});
   return checkpoint;
 }

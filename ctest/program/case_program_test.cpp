@@ -68,8 +68,8 @@ class Tiny : public Case {
     MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
     out << "plan of " << point.name << " on " << ranks << "\n";
   }
-  void prepare(const Point& point, const ProgressStyle&, const PreparationBorder& border) const override {
-    border([] { return true; });
+  void prepare(const Point& point, const ProgressStyle&, const PreparationPoll& poll) const override {
+    poll([] { return true; });
     ran.push_back("sample of " + point.name);
   }
   void run(const Point& point, const PointRun& run) const override {

@@ -115,11 +115,11 @@ void CellGrid::add_pairs(std::uint32_t i, FoundPairs& found) const {
     }
 }
 
-std::vector<NearPair> CellGrid::pairs(const Share& share) const {
-  FoundPairs found{share.begin, {}};
+std::vector<NearPair> CellGrid::pairs(const GrainRange& range) const {
+  FoundPairs found{range.begin, {}};
   std::vector<NearPair>&own = found.own, &earlier = found.earlier;
-  own.reserve(4 * (share.end - share.begin));
-  for (std::size_t i = share.begin; i < share.end; ++i) {
+  own.reserve(4 * (range.end - range.begin));
+  for (std::size_t i = range.begin; i < range.end; ++i) {
     const auto before = static_cast<std::ptrdiff_t>(own.size());
     add_pairs(static_cast<std::uint32_t>(i), found);
     std::sort(own.begin() + before, own.end(), in_order);

@@ -23,9 +23,9 @@ class CellGrid {
   /// the first n bodies count.
   template <typename Real>
   CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance);
-  /// The pairs whose gap is below the sum of their allowances and of which the share owns at least one grain: first <
+  /// The pairs whose gap is below the sum of their allowances and of which the range owns at least one grain: first <
   /// second, sorted.
-  std::vector<NearPair> pairs(const Share& share) const;
+  std::vector<NearPair> pairs(const GrainRange& range) const;
 
  private:
   struct Sphere {
@@ -37,14 +37,14 @@ class CellGrid {
     std::size_t first, last;
     std::array<int, 3> image;
   };
-  /// The pairs of a share: those in which the share owns the first grain, and those in which it owns only the second.
+  /// The pairs of a range: those in which the range owns the first grain, and those in which it owns only the second.
   struct FoundPairs {
-    std::size_t begin;  ///< first grain of the share
+    std::size_t begin;  ///< first grain of the range
     std::vector<NearPair> own, earlier = {};
   };
   int bin_along(int axis, double coordinate) const;
-  /// Adds the pairs of grain `i`, which the share owns, with later grains of any share and earlier grains of other
-  /// shares.
+  /// Adds the pairs of grain `i`, which the range owns, with later grains of any range and earlier grains of other
+  /// ranges.
   void add_pairs(std::uint32_t i, FoundPairs& found) const;
   /// The same with the grains of some bins.
   void add_from_bins(std::uint32_t i, const BinRow& bins, FoundPairs& found) const;

@@ -6,10 +6,10 @@
 namespace flowslide::native {
 
 template <typename Real>
-void StrayWatch<Real>::start(const Share& share, const std::vector<Body<double>>& bodies,
-                             const std::vector<double>& allowance) {
+void DisplacementCheck<Real>::start(const GrainRange& range, const std::vector<Body<double>>& bodies,
+                                    const std::vector<double>& allowance) {
   start_.resize(allowance.size());
-  for (std::size_t i = share.begin; i < share.end; ++i) {
+  for (std::size_t i = range.begin; i < range.end; ++i) {
     const double* x = bodies[i].position;
     start_[i] = {{x[0], x[1], x[2]}, allowance[i]};
   }
@@ -20,16 +20,17 @@ void StrayWatch<Real>::start(const Share& share, const std::vector<Body<double>>
 }
 
 template <typename Real>
-bool StrayWatch<Real>::spend(double pace, double measured, double reach, bool compressed) {
+bool DisplacementCheck<Real>::advance(double largest_growth, double measured, double reach, bool compressed) {
   ++age_;
-  slack_ = measures_ ? measured - 0.5 * reach * drift_.steepness() : slack_ - pace;
-  const bool exhausted = measures_ && slack_ < 4.0 * pace;  // a measurement at every step costs more than a new list
+  slack_ = measures_ ? measured - 0.5 * reach * drift_.steepness() : slack_ - largest_growth;
+  const bool exhausted =
+      measures_ && slack_ < 4.0 * largest_growth;  // a measurement at every step costs more than a new list
   compressed_ = compressed_ || compressed;
-  measures_ = !compressed_ && slack_ < 2.0 * pace;
+  measures_ = !compressed_ && slack_ < 2.0 * largest_growth;
   return exhausted || !(slack_ > 0.0);
 }
 
-template class StrayWatch<double>;
-template class StrayWatch<float>;
+template class DisplacementCheck<double>;
+template class DisplacementCheck<float>;
 
 }  // namespace flowslide::native

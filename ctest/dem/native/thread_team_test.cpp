@@ -81,7 +81,7 @@ TEST(ThreadTeam, WakesAfterAPause) {
   ThreadTeam team(3);
   std::atomic<int> calls{0};
   for (int run = 0; run < 5; ++run) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a thread looks for a task
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a thread spins for a task
     team.run([&](int) { ++calls; });
   }
   EXPECT_EQ(calls, 15);
