@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What a recipe gives: (A) void ratio of the inner part, away from the planes, over the friction of stages 1 to 3, a line
-# for each drag, or for each restitution of samples without drag; (B) peak of the shear stress of the same samples,
-# sheared undrained, over that void ratio, with the stress tau_0 + 3 kPa that the pulse of Figs. 11 to 14 reaches; (C) the
-# same over the coordination number.
+# Void ratio and strength of samples by their recipe. (A) Void ratio away from the planes over the friction of stages
+# 1 to 3, with one line per drag (without drag: per restitution). (B) Peak shear stress of the same samples in
+# undrained shear over that void ratio; line: tau_0 + 3 kPa, the stress that the pulse of Figs. 11 to 14 reaches. (C)
+# The same over the coordination number.
 tables = "curves.dat"
 command = "scripts/sample_map"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample_map.gp")]
 load here."style.gp"
-peak = optional(names_in("curves.dat"), "peak_shear_stress")   # a sample that only dilates has none
+peak = optional(names_in("curves.dat"), "peak_shear_stress")   # a sample that only dilates has no peak
 by_drag = words(values_of("curves.dat", "preparation_drag")) > 1
 second = by_drag ? "preparation_drag" : "preparation_restitution"
 lines = values_of("curves.dat", second)
