@@ -8,6 +8,9 @@
 #include <limits>
 #include <numeric>
 
+#include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
+
 namespace flowslide {
 namespace {
 
@@ -145,6 +148,21 @@ Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::v
       series.columns.insert(series.columns.end(), {median, lowest, highest});
     }
   return series;
+}
+
+void write_sweep(const OutputFolder& output, const std::string& case_name, const Ensembles& slides,
+                 const SweepFigure& figure) {
+  Legend legend;
+  for (const auto& [name, ensemble] : slides) {
+    if (!SlideCase::are_slides(ensemble)) continue;
+    write_table(output.file(name + "_coarse.dat"), {{{"case", case_name}, {"slide", name}}, coarse_band(ensemble)});
+    legend.add(name, figure.label(parameter_of(ensemble, figure.axis.name)));
+  }
+  const auto over_parameter = [&](const char* prefix) { return sweep_of(slides, prefix, figure.axis.name); };
+  const Series sweep =
+      sweep_series(figure.axis, {{"RD", over_parameter("RD_")}, {"RI", over_parameter("RI_")}}, figure.metrics);
+  write_table(output.file("sweep.dat"), {{{"case", case_name}}, sweep});
+  legend.write(output);
 }
 
 }  // namespace flowslide

@@ -49,6 +49,9 @@ class SlideCase : public Case {
   /// The tables of points that were left out (see above), and of profiles on a closed-form sample, have no rows.
   void finish(const OutputFolder& output) const override;
 
+  /// Whether the results are of slides. Element tests have no displacement.
+  static bool are_slides(const Ensemble& ensemble) { return ensemble.front().series.has("displacement"); }
+
  protected:
   /// The metrics of one slide or element test. The caller leaves out metrics that are not finite.
   virtual std::vector<Metric> slide_metrics(const SlideOutcome& outcome) const = 0;
@@ -73,8 +76,6 @@ class SlideCase : public Case {
   std::vector<std::string> slide_names() const;
   /// The results of these points, grouped by slide.
   Ensembles results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const;
-  /// Whether the results are of slides. Element tests have no displacement.
-  static bool are_slides(const Ensemble& ensemble) { return ensemble.front().series.has("displacement"); }
   /// The points that have results in `output`.
   std::vector<std::string> points_in(const OutputFolder& output) const;
 

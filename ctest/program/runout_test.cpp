@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "program/runout.hpp"
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "experiment/slide_run.hpp"
+#include "record/atomic_file.hpp"
+#include "record/gnuplot_table.hpp"
+#include "support/messages.hpp"
 
 namespace flowslide {
 namespace {
@@ -131,6 +135,23 @@ TEST(Sweep, IsATableOfWhatAllSchemesHave) {
   const Series none = sweep_series({"k", "k", "m/s", "", "", {}}, {{"RD", {}}, {"RI", {}}}, {"runout"});
   EXPECT_EQ(none.rows(), 0U);
   EXPECT_TRUE(none.has("RI_runout_median"));  // a figure finds its columns
+}
+
+TEST(Sweep, WritesTheTablesOfItsFigure) {
+  const ScratchFolder scratch;
+  const OutputFolder output = OutputFolder::open(scratch.path() / "out", "sweep");
+  Ensembles slides{{"RI_1", ensemble(1.0, {3.0})}, {"RD_1", ensemble(1.0, {2.0})}, {"alone", ensemble(1.0, {2.0})}};
+  for (const char* name : {"RI_1", "RD_1"}) {
+    Series& rows = slides.at(name).front().series;
+    rows.axis = {"time", "t", "s", "time", "", {0.0, 1.0}};
+    rows.columns = {{"displacement", "x", "m", "sliding distance", "", {0.0, 2.0}}};
+  }
+  write_sweep(output, "sweep", slides,
+              {{"k", "k", "m/s", "", "", {}}, {"runout"}, [](double k) { return fmt::format("k = {}", k); }});
+  EXPECT_EQ(read_table(output.file("sweep.dat")).series.column("RI_runout_median").values, std::vector<double>{3.0});
+  EXPECT_TRUE(std::filesystem::exists(output.file("RD_1_coarse.dat")));
+  EXPECT_FALSE(std::filesystem::exists(output.file("alone_coarse.dat")));  // no slide
+  EXPECT_CONTAINS(read_file(output.file("legend.txt")), "RD_1\tk = 1\n");
 }
 
 TEST(RankCorrelation, SeesOrderAlone) {
