@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "scene_context.hpp"
 
+#include <fmt/format.h>
+
 #include "dem/make_engine.hpp"
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
@@ -57,7 +59,8 @@ SceneSettings SceneSettings::read(const Configuration& configuration) {
   if (configuration.has("suite.large_lattice")) {
     const auto counts = configuration.integers("suite.large_lattice", Range::between(3, 1000));
     if (counts.size() != 3)
-      configuration.refuse("suite.large_lattice", "a lattice has three counts", "write it as [41, 41, 42]");
+      configuration.refuse("suite.large_lattice", fmt::format("has {} counts, but a lattice has 3", counts.size()),
+                           "write it as [41, 41, 42]");
     for (std::size_t axis = 0; axis < 3; ++axis) settings.large_lattice[axis] = static_cast<int>(counts[axis]);
   }
   settings.configuration = configuration;  // a copy at this stage knows all keys read above

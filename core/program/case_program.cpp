@@ -9,10 +9,12 @@
 #include <iostream>
 #include <set>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "claims/claims.hpp"
 #include "configuration/error.hpp"
+#include "input/vocabulary.hpp"
 #include "process/exit_code.hpp"
 #include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
@@ -40,6 +42,7 @@ class CaseProgram {
         folder_(folder),
         arguments_(arguments),
         configuration_(layers_of(options, folder / "case.toml")) {
+    describe_vocabulary(configuration_);
     case_.read(configuration_);
     configuration_.reject_unknown();
     points_ = case_.points();
@@ -113,6 +116,7 @@ class CaseProgram {
         << "# the comment after each value names the line or the option that sets it\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
     out << configuration_.resolved_with_origins();
+    print_inherited(out);
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
       out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
@@ -120,6 +124,12 @@ class CaseProgram {
       case_.print_plan(point, out);
     }
     return to_int(ExitCode::ok);
+  }
+
+  /// Prints the values that samples take from other samples, as comments: the text is still a configuration.
+  void print_inherited(std::ostream& out) const {
+    std::istringstream lines(configuration_.inherited_with_origins("sample"));
+    for (std::string line; std::getline(lines, line);) out << "# " << line << "\n";
   }
 
   int prepare() const {
@@ -199,7 +209,7 @@ class CaseProgram {
       throw;
     } catch (const FileError& error) {  // such as a full disk
       const bool kept = !output->checkpoints(point.name).empty();
-      throw FileError(error.what() + std::string(kept ? "; the same command goes on from its last checkpoint" : ""));
+      throw FileError(error.what() + std::string(kept ? "; the same command continues from its last checkpoint" : ""));
     }
     on_first_rank([&] { output->checkpoints(point.name).remove(); });
   }

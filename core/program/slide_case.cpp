@@ -103,7 +103,7 @@ void SlideCase::read(const Configuration& configuration) {
   std::vector<std::vector<SampleSpecification>> all_samples;
   for (int replicate = 0; replicate < replicates; ++replicate)
     all_samples.push_back(read_samples(configuration, slope_, replicate));
-  refuse_equal_recipes(all_samples);
+  refuse_equal_recipes(configuration, all_samples);
   for (int replicate = 0; replicate < replicates; ++replicate) {
     const CommonSettings common{replicate, all_samples[static_cast<std::size_t>(replicate)], slope_, engine};
     for (const std::string& name : configuration.subtables("point")) {
@@ -164,7 +164,7 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
   if (closed_form_) {
     loaded.sample = closed_form_();
     loaded.metrics = {{"initial_void_ratio", loaded.sample->void_ratio(), "1", "void ratio of the closed-form sample"}};
-    loaded.name = slide.sample.name;
+    loaded.name = slide.engine;
     return loaded;
   }
   const auto preparing =

@@ -57,7 +57,9 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   read.test = read_shear_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
   check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
-  const auto steps = as_written_by_user("point " + read.name, [&] {
+  std::vector<std::string> places = tables;
+  places.insert(places.end(), coupling.names().begin(), coupling.names().end());
+  const auto steps = as_written_by_user(fmt::format("{}: point {}", configuration.place_of(places), read.name), [&] {
     return static_cast<double>(read.test->steps(read.settings.passing.time_step));
   });
   read.parameters = parameters_of(read, std::nullopt);
@@ -68,15 +70,19 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
 }
 
 std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
-  return fmt::format("sample {} (seed {}), {}, {}, k = {:.3g} m/s, to {:.3g} s", point.sample.name,
-                     point.sample.recipe.packing.seed, scheme, describe(point.settings.loading),
+  const bool closed_form = seconds_per_grain_and_step(point.engine) == 0.0;
+  const std::string sample =
+      closed_form ? fmt::format("closed-form sample {}", point.engine)
+                  : fmt::format("sample {} (seed {})", point.sample.name, point.sample.recipe.packing.seed);
+  return fmt::format("{}, {}, {}, k = {:.3g} m/s, to {:.3g} s", sample, scheme, describe(point.settings.loading),
                      point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
 /// Checks that depend on several keys. A run that passes them can fail only numerically.
-void check_together(const Tables& table, const SlidePoint& point) {
+/// `place` is where the settings of the point stand (see Configuration::place_of).
+void check_together(const Tables& table, const SlidePoint& point, const std::string& place) {
   const SlideSettings& settings = point.settings;
-  as_written_by_user("point " + point.name, [&] {
+  as_written_by_user(fmt::format("{}: point {}", place, point.name), [&] {
     validate(settings);
     validate(point.stop);
   });
@@ -128,7 +134,9 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.stop = read_stop(configuration, within(tables, "stop", {"stop"}));
   read.rows = read_row_spacing(configuration, within(tables, "rows", {"rows"}));
   read.profiles = read_profile_plan(configuration, table.key("profile_strains"));
-  check_together(table, read);
+  std::vector<std::string> places = tables;
+  places.insert(places.end(), {"scheme." + scheme, "coupling", "loading", "stop"});
+  check_together(table, read, configuration.place_of(places));
 
   read.point.description = describe_slide(read, scheme);
   std::optional<double> number;

@@ -96,5 +96,19 @@ h = { like = 'g' }
                   "sample.c.like = 'd' is not allowed");
 }
 
+TEST(Tables, RecordsWhatATableTakesFromAnotherByLike) {
+  const auto configuration = Configuration::from_text(
+      "[sample.a]\ndrag = 1\nmode = 1\n[sample.b]\nlike = 'a'\nmode = 2\n[packing]\nsize = 3\n", "case.toml");
+  const std::vector<std::string> tables = with_like(configuration, "sample", "b");
+  Tables(configuration, tables).integer("drag", Range::any());
+  Tables(configuration, tables).integer("mode", Range::any());
+  Tables(configuration, within(tables, "packing", {"packing"})).integer("size", Range::any());
+  const std::string inherited = configuration.inherited_with_origins("sample");
+  EXPECT_CONTAINS(inherited, "sample.b.drag = 1 ");
+  EXPECT_CONTAINS(inherited, " # like sample.a, case.toml:2\n");
+  EXPECT_EQ(inherited.find("mode"), std::string::npos);
+  EXPECT_EQ(inherited.find("size"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -76,7 +76,7 @@ std::vector<SampleSpecification> samples_of(const Configuration& configuration, 
   return read_samples(configuration, read_slope(configuration), replicate);
 }
 
-/// What is said of a configuration that has `to` in place of `from`.
+/// The message about a configuration in which `to` replaces `from`.
 std::string complaint(const std::string& from, const std::string& to) {
   return message_of<ConfigurationError>([&] { samples_of(with(from, to)); });
 }
@@ -323,7 +323,7 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
                   "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list of three");
-  // More than an int holds would otherwise come out as some other lattice.
+  // A count beyond the range of int would otherwise give another lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[1000, 1000, 1000]"),

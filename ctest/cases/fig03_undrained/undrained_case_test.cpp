@@ -49,7 +49,7 @@ class UndrainedProgram : public testing::Test {
     outcome.error = testing::internal::GetCapturedStderr();
     return outcome;
   }
-  /// What is said of bad input: exit code 2, one message on stderr, nothing else anywhere.
+  /// The message about bad input. Expects exit code 2, one message on stderr and no other output.
   std::string complaint(const Options& options) const {
     const Outcome outcome = run(options);
     EXPECT_EQ(outcome.code, 2) << outcome.error;
@@ -92,7 +92,7 @@ TEST_F(UndrainedProgram, PlansAndWritesNothing) {
   EXPECT_EQ(plan.code, 0) << plan.error;
   EXPECT_CONTAINS(plan.output, "point.e0_790.shear_rate = \"0.25 1/s\" ");
   EXPECT_CONTAINS(plan.output, "seed 5\n");
-  EXPECT_CONTAINS(plan.output, "pair_style");  // what LIGGGHTS is told
+  EXPECT_CONTAINS(plan.output, "pair_style");                             // commands to LIGGGHTS
   EXPECT_CONTAINS(plan.output, "# 200000 steps of 1e-05 s, 101 rows\n");  // 0.5 / (0.25 x 1e-5)
   EXPECT_CONTAINS_NOT(plan.output, "# point e0_771");
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
@@ -173,6 +173,15 @@ TEST_F(UndrainedProgram, RefusesItsOldKeysWithTheNewNames) {
   const fs::path user = scratch_.write("user.toml", "[scale.paper]\npoint.e0_771.time_step = \"5e-6 s\"\n");
   EXPECT_CONTAINS(complaint({"--config", user.string()}),
                   user.string() + ":2:14: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
+}
+
+TEST_F(UndrainedProgram, SaysThatAKeyOfSlidesHasNoUseHere) {
+  EXPECT_EQ(
+      complaint_about("stop.end_time=3 s"),
+      "flowslide: --set stop.end_time=3 s: the table \"stop\" is known, but no run of this case uses it: it belongs "
+      "to slides, which are runs with a scheme\n");
+  EXPECT_CONTAINS(complaint_about("coupling.time_step=1e-4 s"), "the key \"coupling.time_step\" is known, but no run");
+  EXPECT_CONTAINS(complaint({"--allow-unstable"}), "it belongs to slides, which are runs with a scheme");
 }
 
 TEST_F(UndrainedProgram, HasNoClosedFormSamples) {
