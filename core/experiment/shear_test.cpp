@@ -102,7 +102,7 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
   std::size_t k = record.rows.rows(), m = record.measured.rows();
   if (k > kept.size() || m > fixed.size())
     throw std::invalid_argument(
-        fmt::format("an element test of {} rows, {} of them measured, cannot go on from {} and "
+        fmt::format("an element test of {} rows, {} of them measured, cannot continue from {} and "
                     "{}",
                     kept.size(), fixed.size(), k, m));
   std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);

@@ -49,7 +49,7 @@ class RunControl {
   /// Why poll() returned Due::stop.
   StopReason reason() const { return reason_; }
   /// Throws Stopped, with exit code 130 after an interrupt and 75 otherwise. `what` is the last clause of its message:
-  /// "the same command goes on from t = 0.52 s".
+  /// "the same command continues from t = 0.52 s".
   [[noreturn]] void stop(const std::string& what) const;
 
  private:

@@ -37,7 +37,7 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
   if (!difference.empty())
     throw Refused(
         fmt::format("the checkpoint {} is of another run ({}); {}", store_.path(0).string(), difference, begin_anew));
-  say(fmt::format("{}: goes on from its checkpoint at {}", label(), place_of(*found_)));
+  say(fmt::format("{}: continues from its checkpoint at {}", label(), place_of(*found_)));
 }
 
 std::string PointCheckpoints::label() const {
@@ -52,7 +52,7 @@ void PointCheckpoints::poll(const std::function<Checkpoint()>& now) {
   keep(checkpoint, due == RunControl::Due::stop);
   control_.kept();
   if (due == RunControl::Due::stop)
-    control_.stop(fmt::format("the same command goes on from {}", place_of(checkpoint)));
+    control_.stop(fmt::format("the same command continues from {}", place_of(checkpoint)));
 }
 
 void PointCheckpoints::keep(const Checkpoint& checkpoint, bool stopping) {

@@ -75,7 +75,7 @@ class RecordOfALattice : public testing::Test {
   }
   const std::vector<double>& column(const char* name) const { return series_.column(name).values; }
 
-  /// The lattice after some steps, so that it knows the forces on its grains, as a prepared sample does.
+  /// The lattice after some steps. Like a prepared sample it then stores the forces on its grains.
   static Assembly settled(Engine& engine) {
     DemSample sample(engine, touching_lattice(), {Material{}, time_step, 0.0});
     sample.strain({{0.0, 0.0}, 20, time_step});
@@ -123,7 +123,7 @@ TEST_F(RecordOfALattice, HasTheStressThatBagiGives) {
 
 TEST_F(RecordOfALattice, BeginsWithTheStressAtRest) {
   ASSERT_GT(stress_before_.normal, 1e3);  // Pa
-  // Loading what was saved changes nothing but rounding.
+  // Loading the saved state changes only rounding.
   EXPECT_NEAR(column("normal_stress").front(), stress_before_.normal, 1e-12 * stress_before_.normal);
   EXPECT_NEAR(column("shear_stress").front(), stress_before_.shear, 1e-12 * stress_before_.normal);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checkpoints that are not what a run wrote. By the first byte, either any bytes as a file, which its checksum must
 // catch, or a file with a right checksum whose parts are left out, of another shape or of any value, which the reader
-// must catch: a CorruptFileError, or a checkpoint that a run can go on from.
+// must catch: a CorruptFileError, or a checkpoint from which a run can continue.
 #include <unistd.h>
 
 #include <cmath>
@@ -123,7 +123,7 @@ void spoil(hdf5::Group& root, Input& input) {
   }
 }
 
-/// What a run relies on.
+/// The properties of a checkpoint on which a run relies.
 void check(const Checkpoint& checkpoint) {
   const auto grains = [](const Assembly& assembly) {
     require(assembly.position.size() == assembly.size() && assembly.torque.size() == assembly.size());
@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto file = hdf5::File::create("fuzz");
     write_checkpoint(file.root(), checkpoint_of(input));
     spoil(file.root(), input);
-    const auto again = hdf5::File::open(file.image(), "fuzz");  // without the disk, which would be all that takes time
+    const auto again = hdf5::File::open(file.image(), "fuzz");  // in memory, because the disk would dominate the time
     check(read_checkpoint(again.root()));
   } catch (const FileError&) {
   } catch (const std::invalid_argument&) {  // of the writer: it must not write such a thing

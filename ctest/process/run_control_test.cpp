@@ -52,11 +52,11 @@ TEST_F(RunControlTest, StopsBeforeTheTimeIsOver) {
   EXPECT_EQ(control.poll(), Due::stop);  // 80 + 20 + 5 > 100
   EXPECT_EQ(control.reason(), StopReason::walltime);
   try {
-    control.stop("it goes on");
+    control.stop("it continues");
     FAIL();
   } catch (const Stopped& stopped) {
     EXPECT_EQ(stopped.code(), ExitCode::resumable);
-    EXPECT_CONTAINS(stopped.what(), "--max-walltime; it goes on");
+    EXPECT_CONTAINS(stopped.what(), "--max-walltime; it continues");
   }
 }
 
@@ -94,7 +94,7 @@ TEST_F(RunControlTest, StopsOnSignals) {
     ::raise(signal);
     EXPECT_EQ(control.poll(), Due::stop);
     try {
-      control.stop("it goes on");
+      control.stop("it continues");
       FAIL();
     } catch (const Stopped& stopped) {
       EXPECT_EQ(stopped.code(), code) << signal;

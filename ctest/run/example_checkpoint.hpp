@@ -10,7 +10,7 @@
 
 namespace flowslide {
 
-/// Where a slide stands: every number is different, so that a mix-up shows.
+/// The state of a slide. All numbers are different, so that a mix-up shows.
 inline Checkpoint example_checkpoint() {
   Checkpoint checkpoint;
   checkpoint.partial_result = example_result();

@@ -44,7 +44,7 @@ TEST_F(PointCheckpointsTest, FindsWhatThereIsAndSaysSo) {
   const PointCheckpoints checkpoints = open(identity_);
   ASSERT_TRUE(checkpoints.found());
   EXPECT_EQ(checkpoints.found()->share_done, checkpoint_.share_done);
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint at t = 0.3031 s, v = ");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint at t = 0.3031 s, v = ");
   store_.remove();
   EXPECT_FALSE(open(of("anything")).found());
   EXPECT_EQ(said_, "");
@@ -83,7 +83,7 @@ TEST_F(PointCheckpointsTest, KeepsAndStops) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(open(identity_).found()->share_done, 0.6);
   ::raise(SIGTERM);
-  EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.poll(now); }), "the same command goes on from t = ");
+  EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.poll(now); }), "the same command continues from t = ");
   EXPECT_EQ(open(identity_).found()->share_done, 0.7);
 }
 

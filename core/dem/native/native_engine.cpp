@@ -38,7 +38,7 @@ void fold(const Cell& cell, Body<double>& body) {
 }
 
 /// The cell with its shear offset reduced to at most half a period.
-Cell numbered(Cell cell) {
+Cell with_reduced_offset(Cell cell) {
   if (cell.shear_offset != 0.0) cell.shear_offset = std::remainder(cell.shear_offset, cell.lengths().x());
   return cell;
 }
@@ -146,7 +146,7 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
   motion_ = {};
   half_step_ = false;
   require_shear_along_periods(assembly.cell, assembly.cell.shear_velocity * Vector3::UnitX());
-  const Cell cell = numbered(assembly.cell);
+  const Cell cell = with_reduced_offset(assembly.cell);
   take_grains(assembly, cell);
   const double least_period = 2.0 * native::Worker<Real>::longest_reach(grains_);
   for (int axis = 0; axis < 3; ++axis)

@@ -23,7 +23,7 @@ struct Checked {
     return check.measure(passes<double>(instruction_sets().back()).slack,
                          {all.begin, all.end, kick.data(), kick.data(), bodies.data(), bodies.data(), loads.data()});
   }
-  /// Steps until the list must be made anew, of those in which the ways were to be measured.
+  /// Number of steps until the list must be built anew, and how many of them asked for a measurement.
   std::pair<int, int> steps(double largest_growth, double measured, bool compressed = false) {
     int count = 0, asked = 0;
     do {
@@ -83,7 +83,7 @@ TEST(DisplacementCheck, FollowsAGrainThatIsFoldedInAShearedCell) {
 
 TEST(DisplacementCheck, AsksForAMeasurementWhenTheBoundIsNearlyUsedUp) {
   Checked grains;
-  // A bound of 1 um a step: 2 um are left after 8 steps of 10; then it goes on as long as the ways are found short.
+  // The bound grows by 1 um per step: of 10 um, 2 um are left after 8 steps. Later steps need measured deviations.
   for (int step = 0; step < 9; ++step) {
     EXPECT_FALSE(grains.check.measures()) << step;
     EXPECT_FALSE(grains.check.advance(1e-6, far, 0.0, false));

@@ -73,7 +73,7 @@ Impact impact(const Assembly& start, const Material& m, const Hertz& hertz, Over
     if (s > 1 && overlap < 0.0) result.time = (s - 1 + before / (before - overlap)) * time_step;
     before = overlap;
   }
-  engine.run(10);  // nothing acts after parting
+  engine.run(10);  // no force acts after separation
   result.after = engine.save();
   return result;
 }

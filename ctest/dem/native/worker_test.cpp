@@ -38,14 +38,14 @@ class Team {
     grains_.smallest_diameter = 2.0 * assembly_.smallest_radius();
     grains_.largest_diameter = 2.0 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
     std::size_t begin = 0;
-    const auto start_workers = [&](std::size_t end) {
+    const auto add_worker = [&](std::size_t end) {
       const GrainRange range{begin, end};
       workers_.emplace_back(range, grains_, Boundaries(assembly_.cell, {Material{}, pass_step, drag}, range), 1e-5,
                             passes<Real>(instruction_sets().back()));
       begin = end;
     };
-    for (const std::size_t cut : cuts) start_workers(cut);
-    start_workers(n);
+    for (const std::size_t cut : cuts) add_worker(cut);
+    add_worker(n);
     for (Worker<Real>& worker : workers_) worker.rebuild(0);
   }
 
