@@ -29,6 +29,7 @@ density = "2650 kg/m^3"
 youngs_modulus = "2 GPa"
 poisson_ratio = 0.25
 restitution = 0.8
+contact_law = "hertz"
 sliding_friction = 0.5
 rolling_friction = 0.1
 rolling_stiffness = 2.25
@@ -97,7 +98,7 @@ TEST(ReadSlope, RefusesWhatNoSlopeHas) {
                   "case.toml:5:13: slope.thickness = \"-2 m\" is not allowed: it must be above 0 m; change it");
   EXPECT_CONTAINS(complaint("\"5 deg\"", "\"120 deg\""), "case.toml:8:9: slope.angle = \"120 deg\" is not allowed");
   EXPECT_CONTAINS(complaint("\"1500 kg/m^3\"", "\"1500 kg\""), "case.toml:4:15: slope.dry_density");
-  // Rules that span two properties: the message gives value, range and mend.
+  // Rules that span two properties: the message gives value, range and remedy.
   const std::string message =
       message_of<ConfigurationError>([] { read_slope(with("water_table = \"0.2 m\"", "water_table = \"3 m\"")); });
   EXPECT_CONTAINS(message, "water table is 3; allowed: 0 to 2");

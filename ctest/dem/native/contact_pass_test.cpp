@@ -44,7 +44,7 @@ TYPED_TEST(ContactPassOf, EveryLawIsThatOfTheGrains) {
       const Load<TypeParam>&first = pairs.loads[2 * p], &second = pairs.loads[2 * p + 1];
       // The scale is that of the terms, as spring and dashpot may cancel.
       const PairConstants c = pair_constants(m, radius, pairs.second_radius[p]);
-      const double force = normal_force(c, pairs.overlap(p), 0.0) + law.on_first.norm();
+      const double force = normal_force(m, c, pairs.overlap(p), 0.0) + law.on_first.norm();
       EXPECT_LT((vector_of(first.force) - law.on_first).norm(), within * force);
       EXPECT_EQ(vector_of(first.force), -vector_of(second.force));
       const double torque = force * (radius + pairs.second_radius[p]) + law.rolling_torque.norm();
@@ -110,7 +110,7 @@ TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGr
   // Without a place for it, everything else is the same.
   RandomPairs<TypeParam> plain = before;
   const LawVariant all = LawVariant::sliding_and_rolling;
-  widest<TypeParam>().contacts(all, constants_of<TypeParam>(material_of(all)), plain.view(), plain.bodies.data(),
+  widest<TypeParam>().contacts(all, law_constants<TypeParam>(material_of(all), pass_step), plain.view(), plain.bodies.data(),
                                plain.loads.data(), nullptr);
   for (std::size_t i = 0; i < pairs.loads.size(); ++i)
     EXPECT_EQ(vector_of(plain.loads[i].force), vector_of(pairs.loads[i].force));

@@ -22,23 +22,6 @@ inline Material material_of(LawVariant variant) {
   return m;
 }
 
-template <typename Real>
-LawConstants<Real> constants_of(const Material& m) {
-  const PairConstants pair = pair_constants(m, 1.0, 1.0);
-  const double dashpot = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping, hertz = 4.0 / 3.0 * pair.effective_modulus;
-  const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
-  const auto real = [](double x) { return static_cast<Real>(x); };
-  return {.normal_stiffness = real(hertz),
-          .normal_damping = real(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
-          .tangential_stiffness = real(8.0 * pair.effective_shear_modulus),
-          .tangential_damping = real(dashpot * std::sqrt(8.0 * pair.effective_shear_modulus)),
-          .sliding_friction = real(m.sliding_friction),
-          .rolling_friction = real(m.rolling_friction),
-          .rolling_stiffness = real(rolling),
-          .rolling_damping = real(2.0 * m.rolling_viscous_damping * std::sqrt(rolling * hertz)),
-          .time_step = real(pass_step)};
-}
-
 template <typename Real, std::size_t size>
 Vector3 vector_of(const Real (&components)[size]) {
   return {components[0], components[1], components[2]};
@@ -114,6 +97,7 @@ struct RandomPairs {
                      effective_radius.data(),
                      root_effective_mass.data(),
                      root_rolling_inertia.data(),
+                     nullptr,
                      {},
                      {},
                      image_velocity};
@@ -124,7 +108,7 @@ struct RandomPairs {
     return v;
   }
   void evaluate(const Passes<Real>& passes, LawVariant variant) {
-    passes.contacts(variant, constants_of<Real>(material_of(variant)), view(), bodies.data(), loads.data(),
+    passes.contacts(variant, law_constants<Real>(material_of(variant), pass_step), view(), bodies.data(), loads.data(),
                     across.data());
   }
 
@@ -147,7 +131,7 @@ struct RandomPairs {
                                    vector_of(a.velocity) - vector_of(b.velocity) -
                                        double{image_velocity} * layer_of(image[p]) * Vector3::UnitX(),
                                    vector_of(a.spin), vector_of(b.spin)};
-    return evaluate_contact(m, pair_constants(m, a.radius, b.radius), motion, spring(p), torque(p), pass_step, true);
+    return step_contact(m, pair_constants(m, a.radius, b.radius), motion, {{spring(p)}, {torque(p)}}, pass_step);
   }
 
   std::vector<Body<Real>> bodies;
