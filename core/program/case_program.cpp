@@ -9,7 +9,7 @@
 #include <iostream>
 #include <set>
 #include <span>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "claims/claims.hpp"
@@ -128,8 +128,9 @@ class CaseProgram {
 
   /// Prints the values that samples take from other samples, as comments: the text is still a configuration.
   void print_inherited(std::ostream& out) const {
-    std::istringstream lines(configuration_.inherited_with_origins("sample"));
-    for (std::string line; std::getline(lines, line);) out << "# " << line << "\n";
+    const std::string text = configuration_.inherited_with_origins("sample");
+    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
+      out << "# " << rest.substr(0, rest.find('\n') + 1);
   }
 
   int prepare() const {

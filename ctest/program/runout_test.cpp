@@ -161,7 +161,7 @@ TEST(RankCorrelation, SeesOrderAlone) {
   EXPECT_TRUE(std::isnan(rank_correlation({1.0, 2.0}, {3.0, 3.0})));
 }
 
-TEST(RankCorrelation, IsNoneOfWhatIsNoNumber) {
+TEST(RankCorrelation, IsNaNIfAValueIsNaN) {
   EXPECT_TRUE(std::isnan(rank_correlation({1.0, 2.0, 3.0}, {1.0, std::nan(""), 3.0})));
 }
 
