@@ -31,7 +31,7 @@ TEST(Replicates, BeginWithRecipesOfTheirOwn) {
   const std::string message = message_of<ConfigurationError>([&] {
     refuse_equal_recipes(configuration, {{sample(1)}, {sample(2)}, {sample(1)}});
   });
-  EXPECT_CONTAINS(message, "case.toml:1:2: [sample.loose]: replicates 1 and 3 of the sample \"loose\" are the same");
+  EXPECT_CONTAINS(message, "[sample.loose]: replicates 1 and 3 of the sample \"loose\" are the same");
   EXPECT_CONTAINS(message, "give sample.loose.seed_offsets one number for each replicate, all of them different");
 }
 
