@@ -59,8 +59,8 @@ struct EngineSettings {
 };
 static_assert(lists_every_member<EngineSettings>());
 
-/// An engine of the discrete element method: Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling
-/// model, velocity Verlet. The history of a contact is cleared when it opens. One object simulates one assembly. Every
+/// An engine of the discrete element method with velocity Verlet and the contact law that the material names (see
+/// grains/laws/contact_laws.hpp). The history of a contact is cleared when it opens. One object simulates one assembly. Every
 /// call is collective over the ranks of MPI_COMM_WORLD and returns the same values on all ranks. Failures throw
 /// EngineError.
 class Engine {
