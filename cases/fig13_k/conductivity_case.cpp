@@ -32,10 +32,9 @@ std::vector<std::string> ConductivityCase::tables() const {
 void ConductivityCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
+  const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
   write_sweep(output, description().name, slides,
-              {{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}},
-               {"largest_velocity", "runout", "sliding_stopped"},
-               label_of_quantity});
+              {axis, {"largest_velocity", "runout", "sliding_stopped"}, label_of_quantity});
   write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
 }
 

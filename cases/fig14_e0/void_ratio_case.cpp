@@ -46,8 +46,9 @@ std::vector<std::string> VoidRatioCase::tables() const {
 
 void VoidRatioCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
+  const Column axis{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}};
   write_sweep(output, description().name, results_in(output.path(), points_in(output)),
-              {{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}},
+              {axis,
                {"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress", "largest_velocity", "runout"},
                [](double void_ratio) { return fmt::format("{:.3f}", void_ratio); }});
 }

@@ -10,6 +10,7 @@
 #include "configuration/tables.hpp"
 #include "experiment/loading_record.hpp"
 #include "input/read_loading_table.hpp"
+#include "input/read_samples.hpp"
 
 namespace flowslide {
 namespace {
@@ -131,10 +132,18 @@ RateRule read_rate_rule(const Configuration& configuration, const TableNames& ta
   return read;
 }
 
-StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables) {
+double read_local_time_step(const Configuration& configuration, const TableNames& tables, const SampleRecipe* moved) {
+  const Tables coupling(configuration, tables);
+  if (moved == nullptr) return coupling.positive("local_time_step", dimension::time);
+  return read_grain_time_step(configuration, coupling.key("local_time_step"), moved->packing.smallest_diameter,
+                              moved->material);
+}
+
+StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables,
+                                  const SampleRecipe* moved) {
   const Tables coupling(configuration, tables);
   StrainPassing passing;
-  passing.time_step = coupling.positive("local_time_step", dimension::time);
+  passing.time_step = read_local_time_step(configuration, tables, moved);
   std::int64_t fewest = 1;
   const auto least = [&] { return fewest = coupling.integer("n_accum", Range::between(1, most_steps_allowed)); };
   using Rule = decltype(passing.rule);
@@ -149,13 +158,13 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
 }
 
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
-                            const GrainScale& grains) {
+                            const GrainScale& grains, const SampleRecipe* moved) {
   const Tables coupling(configuration, tables);
   SlideSettings settings;
   settings.slope = slope;
   settings.time_step = coupling.positive("time_step", dimension::time);
   settings.rate = read_rate_rule(configuration, tables, grains, initial_normal_stress(slope));
-  settings.passing = read_strain_passing(configuration, tables);
+  settings.passing = read_strain_passing(configuration, tables, moved);
   settings.consolidation = coupling.choice<ConsolidationScheme>(
       "consolidation", {{"exponential", ConsolidationScheme::exponential}, {"euler", ConsolidationScheme::euler}});
   settings.residual = coupling.choice<ResidualTreatment>("residual", {{"fades", ResidualTreatment::fades},

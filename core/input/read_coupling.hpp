@@ -12,6 +12,7 @@
 #include "coupling/stop.hpp"
 #include "experiment/loading_record.hpp"
 #include "experiment/slide_run.hpp"
+#include "sample/recipe.hpp"
 
 namespace flowslide {
 
@@ -34,10 +35,14 @@ std::vector<InputTable> loading_inputs(const Configuration& configuration, const
 RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
                         double initial_normal_stress);
 
-/// Reads local_time_step, most_steps and `passing`: "whole_increment" (eq. 15), "accumulate_and_reset" or
-/// "carry_remainder" (eq. 18, with n_accum), or "variable_time_step" (eq. 17). Call check_time_step to check dt_L
-/// against the grains.
-StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables);
+/// Reads dt_L (s) from local_time_step. `moved` is the recipe of the sample whose grains make these steps; dt_L must not
+/// exceed their longest time step. Null: the sample is a closed form, and any positive step is allowed.
+double read_local_time_step(const Configuration& configuration, const TableNames& tables, const SampleRecipe* moved);
+
+/// Reads dt_L (see read_local_time_step), most_steps and `passing`: "whole_increment" (eq. 15), "accumulate_and_reset"
+/// or "carry_remainder" (eq. 18, with n_accum), or "variable_time_step" (eq. 17).
+StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables,
+                                  const SampleRecipe* moved);
 
 /// Largest strain that n_accum steps may pass at once. Loose samples reach their peak at a strain of about 5e-3.
 inline constexpr double largest_portion = 1e-3;
@@ -51,8 +56,10 @@ inline constexpr double largest_portion = 1e-3;
 /// "euler", of consolidation. If the sample is sheared at the rate of the slope, n_accum dt_L must not exceed the limit
 /// of sliding: the slope would oscillate while the stress is held. The strain that n_accum steps pass at the initial
 /// rate must not exceed `largest_portion`: the peak of the shear stress would lie between two measurements.
+///
+/// `grains` gives the inertial numbers. `moved` is as for read_local_time_step.
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
-                            const GrainScale& grains);
+                            const GrainScale& grains, const SampleRecipe* moved = nullptr);
 
 /// Reads end_time; end_shear_strain and sliding_velocity are optional.
 StopConditions read_stop(const Configuration& configuration, const TableNames& tables);

@@ -40,13 +40,14 @@ std::array<bool, 4> read_drag_stages(const Tables& table) {
   return acts;
 }
 
-/// Reads the part of the recipe that [preparation] gives: all except the grains and the keys of [sample.<name>].
+/// Reads the part of the recipe that [preparation] gives: all except the grains, the time step, which depends on
+/// them, and the keys of [sample.<name>].
 SampleRecipe read_preparation(const Configuration& configuration, const TableNames& tables) {
   const Tables table(configuration, tables);
   SampleRecipe recipe;
   read_fields(table, recipe,
               {"packing", "material", "normal_stress", "shear_stress", "preparation_friction", "periodic_height",
-               "drag", "drag_stages", "most_steps"});
+               "drag", "drag_stages", "most_steps", "time_step"});
   recipe.drag_stages = read_drag_stages(table);
   return recipe;
 }
@@ -125,8 +126,9 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.target.tolerance = own.number("tolerance", Range::positive());
     sample.target.most_trials = static_cast<int>(own.integer("most_trials", Range::between(1, 100)));
     sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
-    check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
-                    sample.recipe.packing.smallest_diameter, sample.recipe.material);
+    sample.recipe.time_step =
+        read_grain_time_step(configuration, Tables(configuration, preparation).key("time_step"),
+                             sample.recipe.packing.smallest_diameter, sample.recipe.material);
     std::vector<std::string> places = tables;
     places.insert(places.end(), {"preparation", "packing", "material"});
     as_written_by_user(fmt::format("{}: sample {}", configuration.place_of(places), name),
@@ -136,14 +138,16 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
   return samples;
 }
 
-void check_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
-                     const Material& material) {
+double read_grain_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
+                            const Material& material) {
   const double limit = longest_time_step(0.5 * smallest_diameter, material);
-  if (configuration.quantity(key, dimension::time, Range::positive()) > limit)
+  const double time_step = configuration.quantity(key, dimension::time, Range::positive());
+  if (time_step > limit)
     configuration.refuse(key,
                          fmt::format("is too long for DEM: at most {:.3g} s, which is {} of the Rayleigh time of the "
                                      "smallest grain", limit, largest_share_of_rayleigh_time),
                          "choose a smaller step, or larger or softer grains");
+  return time_step;
 }
 
 }  // namespace flowslide

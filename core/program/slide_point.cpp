@@ -31,11 +31,9 @@ const SampleSpecification& sample_named(const Configuration& configuration, cons
   return samples[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
 }
 
-void check_local_time_step(const Configuration& configuration, const TableNames& coupling, const SampleRecipe& recipe,
-                           const std::string& engine) {
-  if (seconds_per_grain_and_step(engine) > 0.0)
-    check_time_step(configuration, Tables(configuration, coupling).key("local_time_step"),
-                    recipe.packing.smallest_diameter, recipe.material);
+/// The recipe of the grains that the engine of a point moves; null for a closed form.
+const SampleRecipe* moved_grains(const SlidePoint& point) {
+  return seconds_per_grain_and_step(point.engine) > 0.0 ? &point.sample.recipe : nullptr;
 }
 
 double predicted_seconds(const SampleRecipe& recipe, double steps, const std::string& engine) {
@@ -55,8 +53,7 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   const TableNames coupling = within(tables, "coupling", {"coupling"});
   tables.emplace_back("shear_test");
   read.test = read_shear_test(configuration, tables, read.sample.recipe);
-  read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
-  check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
+  read.settings.passing.time_step = read_local_time_step(configuration, coupling, moved_grains(read));
   std::vector<std::string> places = tables;
   places.insert(places.end(), coupling.names().begin(), coupling.names().end());
   const auto steps = as_written_by_user(fmt::format("{}: point {}", configuration.place_of(places), read.name), [&] {
@@ -124,11 +121,10 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   if (table.has("hydraulic_conductivity"))
     own_slope.hydraulic_conductivity =
         table.quantity("hydraulic_conductivity", dimension::velocity, Range::not_negative());
-  read.settings = read_coupling(configuration, coupling, own_slope, read.grains);
+  read.settings = read_coupling(configuration, coupling, own_slope, read.grains, moved_grains(read));
   const TableNames loading = within(tables, "loading", {"loading"});
   read.settings.loading = read_loading(configuration, loading);
   read.point.inputs.tables = loading_inputs(configuration, loading, read.settings.loading);
-  check_local_time_step(configuration, coupling, recipe, read.engine);
   const Tables settings(configuration, coupling);
   read.linear_start = settings.has("linear_start") && settings.flag("linear_start");
   read.stop = read_stop(configuration, within(tables, "stop", {"stop"}));

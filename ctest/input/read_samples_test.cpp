@@ -366,13 +366,13 @@ TEST(ReadSamples, RefuseAShearStressThatNoPackingBears) {
   EXPECT_CONTAINS(message, "smaller than sliding_friction times normal_stress");
 }
 
-TEST(CheckTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
+TEST(ReadGrainTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
   // Rayleigh time by hand: pi R sqrt(rho / G) / (0.1631 nu + 0.8766), R = 2.5 mm, G = E / (2 (1 + nu)) = 0.8 GPa.
   const double rayleigh = std::numbers::pi * 2.5e-3 * std::sqrt(2650 / 0.8e9) / (0.1631 * 0.25 + 0.8766);
   const auto check = [](double time_step) {
     const std::string table = fmt::format("[shear]\ntime_step = \"{} s\"\n", time_step);
     const auto configuration = Configuration::from_text(table, "case.toml");
-    check_time_step(configuration, "shear.time_step", 5e-3, Material{});
+    read_grain_time_step(configuration, "shear.time_step", 5e-3, Material{});
   };
   EXPECT_NO_THROW(check(0.6499 * rayleigh));
   const std::string message = message_of<ConfigurationError>([&] { check(0.6501 * rayleigh); });
