@@ -3,15 +3,12 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(installed flowslide_options)
-foreach(folder slope grains configuration process claims dem/liggghts dem/native dem sample coupling record
-               sample_library experiment input run program)
-  string(REPLACE "/" "_" name ${folder})
-  set_target_properties(flowslide_${name} PROPERTIES EXPORT_NAME ${name})
-  list(APPEND installed flowslide_${name})
+get_property(installed GLOBAL PROPERTY flowslide_libraries)
+foreach(library ${installed} flowslide_options)
+  string(REGEX REPLACE "^flowslide_" "" name ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
 endforeach()
-set_target_properties(flowslide_options PROPERTIES EXPORT_NAME options)
-install(TARGETS ${installed} EXPORT flowslideTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${installed} flowslide_options EXPORT flowslideTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY core/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flowslide FILES_MATCHING PATTERN "*.hpp"
         PATTERN isa EXCLUDE)
 

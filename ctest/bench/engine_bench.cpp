@@ -87,8 +87,15 @@ class Bench {
   std::size_t contacts_ = 0;
 };
 
+/// The engines of this build, without the variant of LIGGGHTS that keeps histories.
+std::vector<std::string> measured_engines() {
+  std::vector<std::string> names = engine_names_of_build();
+  std::erase(names, "liggghts-stock");
+  return names;
+}
+
 struct Options {
-  std::vector<std::string> engines{"liggghts", "native", "native-mixed"}, states = bench_state_names();
+  std::vector<std::string> engines = measured_engines(), states = bench_state_names();
   std::vector<int> grains{1100, 8800};
   int threads = 1, rounds = 0;
 };
@@ -97,7 +104,7 @@ struct Options {
 Options read_options(int argc, char** argv) {
   Options options;
   CLI::App app("Times of DEM engines side by side");
-  app.add_option("--engines", options.engines)->delimiter(',')->check(CLI::IsMember(engine_names()));
+  app.add_option("--engines", options.engines)->delimiter(',')->check(CLI::IsMember(engine_names_of_build()));
   app.add_option("--grains", options.grains)->delimiter(',')->check(CLI::Range(27, 10'000'000));
   app.add_option("--states", options.states)->delimiter(',')->check(CLI::IsMember(bench_state_names()));
   app.add_option("--threads", options.threads, "of the native engines")->check(CLI::Range(1, 1024));

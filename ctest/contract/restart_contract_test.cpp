@@ -52,7 +52,7 @@ TEST_P(RestartContract, GoesOnFromAStoredState) {
   EXPECT_NE(expected.shear, state.number("shear_stress"));  // it has gone on
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names()),
+INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names_of_build()),
                          [](const testing::TestParamInfo<std::string>& tested) {
                            std::string name = tested.param;
                            for (char& c : name)

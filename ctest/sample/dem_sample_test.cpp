@@ -24,7 +24,7 @@ constexpr double step = 2e-6;
 
 class DemSampleTest : public testing::Test {
  protected:
-  std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "dem_sample.log");
+  std::unique_ptr<Engine> engine_ = make_engine(engine_names_of_build().front(), testing::TempDir() + "dem_sample.log");
   EngineSettings settings_{Material{}, step, 0.0};
 };
 
