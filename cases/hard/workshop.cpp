@@ -5,6 +5,7 @@
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
 #include "input/read_samples.hpp"
+#include "process/mpi_session.hpp"
 #include "sample_library/sample_cache.hpp"
 
 namespace flowslide {
@@ -79,7 +80,7 @@ PreparedSample Workshop::prepared(const SampleRecipe& recipe) const {
 
 std::unique_ptr<Engine> Workshop::engine() const {
   return make_engine(suite_.engine, run_.output.file(run_.provenance.point + "." + suite_.engine + ".log"),
-                     run_.threads);
+                     run_.threads, all_ranks());
 }
 
 SlideSettings Workshop::slide(const std::string& coupling, const std::string& loading,

@@ -46,11 +46,13 @@ std::vector<std::string> engine_names_of_build() {
 }
 
 std::unique_ptr<Engine> make_engine(const std::string& name, [[maybe_unused]] const std::filesystem::path& log,
-                                    int threads) {
+                                    int threads, [[maybe_unused]] const void* communicator) {
   require_engine(name);
 #ifdef FLOWSLIDE_LIGGGHTS
-  if (name == "liggghts") return std::make_unique<LiggghtsEngine>(log);
-  if (name == "liggghts-stock") return std::make_unique<LiggghtsEngine>(log, SeparatedHistory::kept);
+  if (is_liggghts(name))
+    return std::make_unique<LiggghtsEngine>(
+        log, name == "liggghts" ? SeparatedHistory::cleared : SeparatedHistory::kept,
+        communicator ? *static_cast<const MPI_Comm*>(communicator) : MPI_COMM_SELF);
 #endif
   if (name == "native-mixed") return std::make_unique<MixedEngine>(NativeOptions{.threads = threads});
   return std::make_unique<DoubleEngine>(NativeOptions{.threads = threads});

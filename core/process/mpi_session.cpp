@@ -70,6 +70,11 @@ int mpi_ranks() {
   return ranks;
 }
 
+const void* all_ranks() {
+  static const MPI_Comm world = MPI_COMM_WORLD;
+  return mpi_ranks() > 1 ? &world : nullptr;
+}
+
 int value_of_first_rank(int value) {
   if (mpi_ranks() > 1) MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return value;

@@ -14,6 +14,10 @@ void ensure_mpi();
 int mpi_rank();   ///< rank of this process, 0 without a launcher
 int mpi_ranks();  ///< number of ranks, 1 without a launcher
 
+/// Points to the MPI_Comm of all ranks, for make_engine; starts MPI if there may be several. nullptr if this process is
+/// alone.
+const void* all_ranks();
+
 /// Returns the value of the first rank on all ranks. Collective.
 int value_of_first_rank(int value);
 

@@ -55,10 +55,9 @@ class Bench {
   CellStress strain(int steps) { return sample_->strain({{state_.shear_rate, 0.0}, steps, time_step}); }
 
   void start() {
-    sample_.reset();  // it refers to the engine
     const auto log = std::filesystem::temp_directory_path() / "flowslide_bench.log";
-    engine_ = make_engine(engine_name_, log, threads_);
-    sample_.emplace(*engine_, state_.assembly, EngineSettings{Material{}, time_step, 0.0});
+    sample_.emplace(make_engine(engine_name_, log, threads_, all_ranks()), state_.assembly,
+                    EngineSettings{Material{}, time_step, 0.0});
     if (state_.name == "shear") sample_->start_linear_velocity_field(state_.shear_rate);
     for (int round = 0; round < warm_rounds; ++round) strain(steps_per_exchange * exchanges_per_round);
     contacts_ = sample_->assembly().contacts.size();
@@ -82,7 +81,6 @@ class Bench {
   std::string engine_name_;
   int threads_;
   std::size_t place_;  ///< in the table
-  std::unique_ptr<Engine> engine_;
   std::optional<DemSample> sample_;
   std::size_t contacts_ = 0;
 };

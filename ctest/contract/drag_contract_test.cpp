@@ -10,6 +10,7 @@
 #include "grains/contact_forces.hpp"
 #include "grains/contact_law.hpp"
 #include "grains/stress.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -58,7 +59,9 @@ void follow_field(Scene& scene, const Vector3& fluctuation) {
 
 class DragContract : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<Engine> engine() const { return make_engine(GetParam(), testing::TempDir() + "drag_contract.log"); }
+  std::unique_ptr<Engine> engine() const {
+    return make_engine(GetParam(), testing::TempDir() + "drag_contract.log", 0, all_ranks());
+  }
   /// Of one force: float rounds sums of forces.
   double rounding() const { return GetParam() == "native-mixed" ? 1e-6 : 1e-12; }
   std::unique_ptr<Engine> ran(const Scene& scene, int steps, const EngineSettings& with = settings()) const {

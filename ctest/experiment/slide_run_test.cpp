@@ -207,7 +207,7 @@ Series slid(Engine& engine) {
 TEST(RunSlideRanks, EveryRankHasTheSlopeOfAllGrainsOfLiggghts) {
   // LIGGGHTS deals its grains out over the ranks, the native engine has all of them on each: the slope must be that of
   // all of them, the same to the bit on every rank, and the same on both engines but for rounding.
-  const auto liggghts = make_engine("liggghts", testing::TempDir() + "slide_run_ranks.log");
+  const auto liggghts = make_engine("liggghts", testing::TempDir() + "slide_run_ranks.log", 0, all_ranks());
   const auto native = make_engine("native", {});
   const Series over_ranks = slid(*liggghts), alone = slid(*native);
   for (const char* name : {"velocity", "displacement", "shear_stress", "normal_stress", "rate_applied"}) {

@@ -15,6 +15,11 @@ TEST(MpiSessionRanks, KnowTheirPlace) {
   EXPECT_LT(mpi_rank(), mpi_ranks());
 }
 
+TEST(MpiSessionRanks, HaveACommunicator) {
+  ASSERT_EQ(all_ranks() == nullptr, mpi_ranks() == 1);
+  if (all_ranks()) EXPECT_EQ(*static_cast<const MPI_Comm*>(all_ranks()), MPI_COMM_WORLD);
+}
+
 TEST(MpiSessionRanks, ShareTheirValues) {
   EXPECT_EQ(value_of_first_rank(7 + mpi_rank()), 7);
   std::array<double, 2> largest{static_cast<double>(mpi_rank()), -static_cast<double>(mpi_rank())};

@@ -13,6 +13,7 @@ TEST(OneProcess, IsTheFirstAndOnlyRank) {
   ensure_mpi();
   EXPECT_EQ(mpi_rank(), 0);
   EXPECT_EQ(mpi_ranks(), 1);
+  EXPECT_EQ(all_ranks(), nullptr);
 }
 
 TEST(OneProcess, KeepsItsValues) {
