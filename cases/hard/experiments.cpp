@@ -106,11 +106,12 @@ double energy_of(const Assembly& assembly, const Material& material) {
   for (const Contact& contact : forces.contacts) {
     const PairConstants pair =
         pair_constants(material, assembly.radius[contact.first], assembly.radius[contact.second]);
-    const double root = std::sqrt(pair.effective_radius * contact.overlap);
-    const double tangential = mindlin_coefficient(pair) * root;
-    const double rolling = material.rolling_stiffness * 4.0 / 3.0 * pair.effective_modulus * root *
-                           std::pow(material.rolling_friction * pair.effective_radius, 2);
-    energy += hertz_energy(pair, contact.overlap) + 0.5 * tangential * contact.force.tangential_spring.squaredNorm();
+    const laws::ContactStiffness stiffness = contact_stiffness(material, pair, contact.overlap);
+    const double rolling = visit_law(material.contact_law, [&]<typename Law>(Law) {
+      return Law::Rolling::stiffness(material, pair, stiffness.normal);
+    });
+    energy += hertz_energy(pair, contact.overlap) +
+              0.5 * stiffness.tangential * contact.force.tangential_spring.squaredNorm();
     if (rolling > 0.0) energy += 0.5 * contact.force.rolling_torque.squaredNorm() / rolling;
   }
   for (const PlaneContact& plane : forces.plane_contacts)

@@ -35,7 +35,7 @@ ContactHistory history_of(const Assembly& assembly, const TouchingPair& pair) {
 }
 
 Contact evaluate_pair(const Assembly& assembly, const Material& material, const HalfStep& half,
-                      const TouchingPair& pair, double time_step) {
+                      const TouchingPair& pair) {
   const auto [i, j] = pair;
   Contact contact;
   contact.first = i;
@@ -53,9 +53,9 @@ Contact evaluate_pair(const Assembly& assembly, const Material& material, const 
   contact.point_from_first = -(assembly.radius[i] - 0.5 * contact.overlap) * motion.normal;
   contact.point_from_second = (assembly.radius[j] - 0.5 * contact.overlap) * motion.normal;
   const ContactHistory history = history_of(assembly, pair);
-  contact.force = evaluate_contact(material, pair_constants(material, assembly.radius[i], assembly.radius[j]), motion,
-                                   history.tangential_spring, history.rolling_torque, time_step, false,
-                                   history.spring_cap, history.torque_cap);
+  contact.force = stored_contact(material, pair_constants(material, assembly.radius[i], assembly.radius[j]), motion,
+                                 {{history.tangential_spring, history.spring_cap},
+                                  {history.rolling_torque, history.torque_cap}});
   return contact;
 }
 
@@ -87,7 +87,7 @@ ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& 
   const HalfStep half = half_step_velocities(assembly, material, time_step);
   ContactForces forces;
   for (const TouchingPair& pair : touching_pairs(assembly))
-    forces.contacts.push_back(evaluate_pair(assembly, material, half, pair, time_step));
+    forces.contacts.push_back(evaluate_pair(assembly, material, half, pair));
   for (std::uint32_t grain = 0; grain < assembly.size(); ++grain)
     if (assembly.role[grain] == Role::mobile)
       add_plane_contacts(assembly, material, half, planes, grain, forces.plane_contacts);

@@ -60,11 +60,16 @@ concept HasFields = requires {
   std::remove_const_t<T>::fields();
 };
 
-/// Calls `visit(field, member)` for each member of `owner`, in the order of the list.
+/// Calls `visit(field, member)` for each member of `owner`, in the order of the list. An owner with a member function
+/// `bool uses(const char* name) const` leaves out the fields for which it is false at their turn.
 template <HasFields Owner, typename Visit>
 void for_each_field(Owner& owner, Visit&& visit) {
-  std::apply([&](const auto&... field) { (visit(field, owner.*field.member), ...); },
-             std::remove_const_t<Owner>::fields());
+  const auto visit_one = [&](const auto& field) {
+    if constexpr (requires { owner.uses(field.name); })
+      if (!owner.uses(field.name)) return;
+    visit(field, owner.*field.member);
+  };
+  std::apply([&](const auto&... field) { (visit_one(field), ...); }, std::remove_const_t<Owner>::fields());
 }
 
 /// The same, but replaces a nested structure by its fields: `visit(name, field, member)` with names such as

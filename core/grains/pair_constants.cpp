@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/material.hpp"
+
 namespace flowslide {
 namespace {
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "grains/material.hpp"
-
 namespace flowslide {
+
+struct Material;
 
 /// Constants of the contact law for a pair of spheres of the same material.
 struct PairConstants {
@@ -29,13 +29,6 @@ PairConstants pair_constants(const Material& material, double radius_first, doub
 /// Constants of a sphere at a plane of the same material: R* = R, m* = m, I_r = 7/5 m R^2.
 PairConstants plane_constants(const Material& material, double radius);
 
-/// Coefficients of the contact law (see contact_law.hpp).
-/// k_n over sqrt(R* delta), Pa.
-inline double hertz_coefficient(const PairConstants& pair) { return 4.0 / 3.0 * pair.effective_modulus; }
-/// S_n over sqrt(R* delta), Pa.
-inline double loading_coefficient(const PairConstants& pair) { return 2.0 * pair.effective_modulus; }
-/// k_t = S_t over sqrt(R* delta), Pa.
-inline double mindlin_coefficient(const PairConstants& pair) { return 8.0 * pair.effective_shear_modulus; }
 /// gamma over sqrt(S m*), 1.
 inline double dashpot_coefficient(const PairConstants& pair) { return -2.0 * std::sqrt(5.0 / 6.0) * pair.damping; }
 

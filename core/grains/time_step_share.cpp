@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "grains/contact_law.hpp"
 #include "grains/contact_search.hpp"
 #include "grains/pair_constants.hpp"
 
@@ -27,18 +29,16 @@ double step_action(double stiffness, double damping, double time_step) {
 }
 
 Spring spring_of(const Material& material, const PairConstants& pair, double overlap, double time_step) {
-  const double root = std::sqrt(pair.effective_radius * overlap);
-  const double normal = loading_coefficient(pair) * root, tangential = mindlin_coefficient(pair) * root;
-  const auto dashpot = [&](double stiffness) {
-    return dashpot_coefficient(pair) * std::sqrt(stiffness * pair.effective_mass);
-  };
-  const double arm = material.rolling_friction * pair.effective_radius;
-  const double rolling = material.rolling_stiffness * (2.0 / 3.0 * normal) * arm * arm;
+  const laws::ContactStiffness stiffness = contact_stiffness(material, pair, overlap);
+  const auto [rolling, rolling_damping] = visit_law(material.contact_law, [&]<typename Law>(Law) {
+    const double spring = Law::Rolling::stiffness(material, pair, stiffness.normal);
+    return std::pair(spring, Law::Rolling::damping(material, pair, spring));
+  });
   Spring spring;
-  spring.along = step_action(normal, dashpot(normal), time_step);
-  if (material.sliding_friction > 0.0) spring.across = step_action(tangential, dashpot(tangential), time_step);
-  spring.rolling = step_action(
-      rolling, material.rolling_viscous_damping * 2.0 * std::sqrt(pair.rolling_inertia * rolling), time_step);
+  spring.along = step_action(stiffness.loading, stiffness.normal_damping, time_step);
+  if (material.sliding_friction > 0.0)
+    spring.across = step_action(stiffness.tangential, stiffness.tangential_damping, time_step);
+  spring.rolling = step_action(rolling, rolling_damping, time_step);
   return spring;
 }
 

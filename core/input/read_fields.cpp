@@ -37,6 +37,10 @@ void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value) 
 
 void read_value(const Tables& tables, const FieldKey& key, bool& value) { value = tables.flag(key.name); }
 
+void read_value(const Tables& tables, const FieldKey& key, ContactLaw& value) {
+  value = contact_law_of(tables.text(key.name, contact_law_names()));
+}
+
 void read_value(const Tables& tables, const FieldKey& key, DragReference& value) {
   value = drag_reference_of(tables.text(key.name, drag_reference_names()));
 }

@@ -27,6 +27,7 @@ void read_value(const Tables& tables, const FieldKey& key, double& value);
 void read_value(const Tables& tables, const FieldKey& key, int& value);
 void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value);
 void read_value(const Tables& tables, const FieldKey& key, bool& value);
+void read_value(const Tables& tables, const FieldKey& key, ContactLaw& value);
 void read_value(const Tables& tables, const FieldKey& key, DragReference& value);
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values);
 void read_value(const Tables& tables, const FieldKey& key, std::array<int, 3>& values);

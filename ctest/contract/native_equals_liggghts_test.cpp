@@ -113,6 +113,25 @@ TEST(NativeEqualsLiggghts, AThousandStepsOfADampedDenseLattice) {
   EXPECT_LT(difference.stress, 1e-9);
 }
 
+TEST(NativeEqualsLiggghts, OneStepAndAThousandOfEveryContactLaw) {
+  for (const std::string& name : contact_law_names())
+    for (const int steps : {1, 1000}) {
+      EngineSettings damped{Material{}, step, 0.5};
+      damped.material.contact_law = contact_law_of(name);
+      Pair engines;
+      engines.load(sheared(), damped);
+      engines.move({Vector3::Zero(), {0.8, 0.1, -0.05}, 1.0, -0.5});
+      engines.run(steps);
+      const Difference difference(engines);
+      difference.print((name + ", " + std::to_string(steps)).c_str());
+      EXPECT_TRUE(difference.same_contacts);
+      EXPECT_GT(difference.contacts, 300u);
+      EXPECT_LT(difference.force, steps == 1 ? one_step : 1e-9);
+      EXPECT_LT(difference.torque, steps == 1 ? one_step : 1e-9);
+      EXPECT_LT(difference.stress, steps == 1 ? one_step : 1e-9);
+    }
+}
+
 /// What moves in a preparation: layers and sides, or the six planes of a box. Drag is relative to that motion.
 struct Compression {
   const char* name;

@@ -202,8 +202,8 @@ class SmallEngine {
       const Vector3 branch = a.cell.nearest_image(a.position[i] - a.position[j]);
       const ContactKinematics motion{branch.normalized(), a.radius[i] + a.radius[j] - branch.norm(),
                                      a.velocity[i] - a.velocity[j], a.spin[i], a.spin[j]};
-      const ContactForce force = evaluate_contact(material, pair_constants(material, a.radius[i], a.radius[j]), motion,
-                                                  history.tangential_spring, history.rolling_torque, dt, true);
+      const ContactForce force = step_contact(material, pair_constants(material, a.radius[i], a.radius[j]), motion,
+                                              {{history.tangential_spring}, {history.rolling_torque}}, dt);
       histories.push_back({i, j, force.tangential_spring, force.rolling_torque});
       a.force[i] += force.on_first;
       a.force[j] -= force.on_first;

@@ -34,10 +34,10 @@ class ContactLaw : public ::testing::Test {
     motion.overlap = 0.25;
   }
   ContactForce step(const Vector3& spring, const Vector3& rolling, double time_step) const {
-    return evaluate_contact(material, pair_constants(material, 2.0, 2.0), motion, spring, rolling, time_step, true);
+    return step_contact(material, pair_constants(material, 2.0, 2.0), motion, {{spring}, {rolling}}, time_step);
   }
   ContactForce stored(const Vector3& spring, const Vector3& rolling) const {
-    return evaluate_contact(material, pair_constants(material, 2.0, 2.0), motion, spring, rolling, 1.0, false);
+    return stored_contact(material, pair_constants(material, 2.0, 2.0), motion, {{spring}, {rolling}});
   }
   Material material;
   ContactKinematics motion;
@@ -62,7 +62,7 @@ TEST_F(ContactLaw, NormalForceIsHertzPlusDashpot) {
 
 TEST_F(ContactLaw, HertzForceGrowsWithThePowerThreeHalves) {
   const PairConstants pair = pair_constants(material, 2.0, 2.0);
-  EXPECT_NEAR(normal_force(pair, 0.04, 0.0) / normal_force(pair, 0.01, 0.0), 8.0, rounding);
+  EXPECT_NEAR(normal_force(material, pair, 0.04, 0.0) / normal_force(material, pair, 0.01, 0.0), 8.0, rounding);
 }
 
 TEST_F(ContactLaw, TangentialSpringAndDashpotOpposeTheSliding) {
@@ -157,8 +157,8 @@ TEST_F(ContactLaw, TorsionHasNoTorqueAndStoredTorqueIsNotProjected) {
 TEST_F(ContactLaw, AStoredHistoryIsAtItsCapWhereItsEngineSaysSo) {
   motion.relative_velocity = 0.01 * y;
   const auto known = [&](double length, Cap cap) {
-    return evaluate_contact(material, pair_constants(material, 2.0, 2.0), motion, length / 3.0 * y, length * z, 1.0,
-                            false, cap, cap);
+    return stored_contact(material, pair_constants(material, 2.0, 2.0), motion,
+                          {{length / 3.0 * y, cap}, {length * z, cap}});
   };
   // F_n of the engine was larger by 1e-5 than ours of 1/2, so that its caps of 1/4 were, or smaller.
   for (const double length : {0.25 * (1.0 + 1e-5), 0.25 * (1.0 - 1e-5)}) {
@@ -204,11 +204,13 @@ struct RandomContact {
     motion.spin_second = uniform_vector(generator, 5.0);
     spring = uniform_vector(generator, motion.overlap);
     spring -= spring.dot(motion.normal) * motion.normal;
-    const double cap = 0.1 * pair.effective_radius * normal_force(pair, motion.overlap, 0.0);
+    const double cap = 0.1 * pair.effective_radius * normal_force(material, pair, motion.overlap, 0.0);
     rolling = uniform_vector(generator, cap);
   }
   ContactForce evaluate(bool advance) const {
-    return evaluate_contact(material, pair, motion, spring, rolling, 5e-7, advance);
+    const ContactHistories histories{{spring}, {rolling}};
+    return advance ? step_contact(material, pair, motion, histories, 5e-7)
+                   : stored_contact(material, pair, motion, histories);
   }
   Material material;
   PairConstants pair;
@@ -314,7 +316,7 @@ TEST(Impact, WithoutDampingFollowsHertz) {
   material.restitution = 1.0;
   const double radius = 3e-3, speed = 0.05;
   const PairConstants pair = pair_constants(material, radius, radius);
-  const auto normal = [&](double overlap, double velocity) { return normal_force(pair, overlap, velocity); };
+  const auto normal = [&](double overlap, double velocity) { return normal_force(material, pair, overlap, velocity); };
   const double duration = testing::hertz_contact_time(radius, material, speed);
   const Impact impact = collide(normal, pair.effective_mass, speed, duration / 20000);
   // Second order: (1/20000)^2 and the like; 1e-4 leaves room for the corner of the force at first touch.
@@ -332,7 +334,7 @@ TEST(Impact, OfTwoSpheresReturnsTheCoefficientOfRestitutionAtAnyVelocity) {
       Material material;
       material.restitution = restitution;
       const PairConstants pair = pair_constants(material, 2.5e-3, 3.75e-3);
-      const auto normal = [&](double overlap, double velocity) { return normal_force(pair, overlap, velocity); };
+      const auto normal = [&](double overlap, double velocity) { return normal_force(material, pair, overlap, velocity); };
       const double time_step = testing::hertz_contact_time(3e-3, material, speed) / 20000;
       EXPECT_NEAR(collide(normal, pair.effective_mass, speed, time_step).restitution, restitution, 1e-3);
     }

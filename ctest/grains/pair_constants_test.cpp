@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/material.hpp"
+
 namespace flowslide {
 namespace {
 

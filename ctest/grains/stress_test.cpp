@@ -198,7 +198,7 @@ TEST(BagiStress, OfSpringsThatTheTopDragsIsStiffnessTimesSpringOverArea) {
   const SlopeStress stress = slope_stress(bagi_stress(grains, forces));
   // Area 1e-4 m^2. The overlap of 1e-5 m is known to the rounding of z = 5 m: 1e-15 / 1e-5.
   EXPECT_NEAR(stress.shear, stiffness * 1e-8 / 1e-4, 1e-9 * stress.shear);
-  EXPECT_NEAR(stress.normal, normal_force(pair, 1e-5, 0.0) / 1e-4, 1e-9 * stress.normal);
+  EXPECT_NEAR(stress.normal, normal_force(material, pair, 1e-5, 0.0) / 1e-4, 1e-9 * stress.normal);
 }
 
 TEST(NicotStress, IsBagisWithoutSpinsAndTorques) {

@@ -29,6 +29,7 @@ density = "2650 kg/m^3"
 youngs_modulus = "2 GPa"
 poisson_ratio = 0.25
 restitution = 0.8
+contact_law = "hertz"
 sliding_friction = 0.5
 rolling_friction = 0.1
 rolling_stiffness = 2.25

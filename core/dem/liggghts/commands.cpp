@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace flowslide {
 namespace {
 
@@ -18,6 +21,34 @@ std::string per_pair(const char* property, double value) {
   std::string line = fmt::format("fix {0} all property/global {0} peratomtypepair {1}", property, atom_types);
   for (int i = 0; i < atom_types * atom_types; ++i) line += fmt::format(" {:.17g}", value);
   return line;
+}
+
+std::string scalar(const char* property, double value) {
+  return fmt::format("fix {0} all property/global {0} scalar {1:.17g}", property, value);
+}
+
+/// Appends the properties of a part of the law.
+template <typename Part>
+void add_properties(const Material& material, std::vector<std::string>& commands) {
+  for (const laws::LiggghtsProperty<typename Part::Parameters>& property : Part::liggghts_properties) {
+    const double value = material.*property.value;
+    const bool per_pair_of_types = property.kind == std::decay_t<decltype(property)>::Kind::per_pair;
+    commands.push_back(per_pair_of_types ? per_pair(property.name, value) : scalar(property.name, value));
+  }
+}
+
+/// The commands of the contact law: properties of its parts, then the pair style.
+std::vector<std::string> law_commands(const Material& material) {
+  return visit_law(material.contact_law, [&]<typename Law>(Law) {
+    std::vector<std::string> commands;
+    add_properties<typename Law::Normal>(material, commands);
+    add_properties<typename Law::Tangential>(material, commands);
+    add_properties<typename Law::Rolling>(material, commands);
+    commands.push_back(fmt::format("pair_style gran model {} tangential {} rolling_friction {}",
+                                   Law::Normal::liggghts_model, Law::Tangential::liggghts_model,
+                                   Law::Rolling::liggghts_model));
+    return commands;
+  });
 }
 
 std::string box_command(const Cell& cell) {
@@ -39,7 +70,7 @@ std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSe
   const Material& m = settings.material;
   const auto& periodic = assembly.cell.periodic;
   const auto boundary = [&](int axis) { return periodic[axis] ? 'p' : 'f'; };
-  return {
+  std::vector<std::string> commands{
       "hard_particles yes",  // otherwise LIGGGHTS refuses E = 2 GPa; must be the first command
       "units si",
       "atom_style granular",
@@ -56,15 +87,11 @@ std::vector<std::string> setup_commands(const Assembly& assembly, const EngineSe
       per_type("youngsModulus", m.youngs_modulus),
       per_type("poissonsRatio", m.poisson_ratio),
       per_pair("coefficientRestitution", m.restitution),
-      per_pair("coefficientFriction", m.sliding_friction),
-      per_pair("coefficientRollingFriction", m.rolling_friction),
-      per_pair("coefficientRollingViscousDamping", m.rolling_viscous_damping),
-      fmt::format("fix rollingStiffness all property/global rollingStiffness scalar {:.17g}", m.rolling_stiffness),
-      "pair_style gran model hertz tangential history rolling_friction epsd3",
-      "pair_coeff * *",
-      fmt::format("timestep {:.17g}", settings.time_step),
-      "thermo 0",
   };
+  for (std::string& command : law_commands(m)) commands.push_back(std::move(command));
+  commands.insert(commands.end(),
+                  {"pair_coeff * *", fmt::format("timestep {:.17g}", settings.time_step), "thermo 0"});
+  return commands;
 }
 
 std::vector<std::string> grain_commands() {

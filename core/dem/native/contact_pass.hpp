@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "dem/native/body.hpp"
+#include "dem/native/law_constants.hpp"
 
 namespace flowslide::native {
 
@@ -19,20 +20,6 @@ constexpr std::uint8_t image_of(int x, int y, int z) {
 /// The z of an image number: -1 below the cell, 1 above it.
 constexpr int layer_of(std::uint8_t image) { return image % 3 - 1; }
 
-/// Constants of the law that all pairs share (one material). `value` is the constant itself.
-template <typename Real>
-struct LawConstants {
-  Real normal_stiffness;      ///< 4/3 Y*; k_n = value sqrt(R* delta)
-  Real normal_damping;        ///< -2 sqrt(5/6) beta sqrt(2 Y*); gamma_n = value sqrt(m*) (R* delta)^(1/4)
-  Real tangential_stiffness;  ///< 8 G*; k_t = value sqrt(R* delta)
-  Real tangential_damping;    ///< -2 sqrt(5/6) beta sqrt(8 G*); gamma_t = value sqrt(m*) (R* delta)^(1/4)
-  Real sliding_friction;      ///< mu
-  Real rolling_friction;      ///< mu_r
-  Real rolling_stiffness;     ///< factor mu_r^2; k_r = value k_n R*^2
-  Real rolling_damping;       ///< 2 eta_r mu_r sqrt(factor 4/3 Y*); dashpot = value sqrt(I_r) R* (R* delta)^(1/4)
-  Real time_step;             ///< dt_L, s
-};
-
 /// The pairs of the pair list, sorted by (first, second), padded to whole tiles with pairs that never touch.
 template <typename Real>
 struct PairView {
@@ -42,12 +29,10 @@ struct PairView {
   const double (*image_shift)[4];              ///< m; shape (27, 4), the last column is 0; aligned to 32 bytes
   const double *first_radius, *second_radius;  ///< m
   const Real *effective_radius, *root_effective_mass, *root_rolling_inertia;
+  const Real* root_scale;  ///< sqrt(s) of a law whose scale is constant for a pair (see grains/laws/lane.hpp)
   Real *spring[3], *rolling_torque[3];  ///< histories, which the pass advances
   Real image_velocity = 0;              ///< velocity of the image above the cell along x relative to the cell, m/s
 };
-
-/// The parts of the law that a scene needs.
-enum class LawVariant { frictionless, sliding, sliding_and_rolling };
 
 /// Number of grains in a block. Sums for the stress are taken block by block, so that the total has the same bits for
 /// any number of threads.

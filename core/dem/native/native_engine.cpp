@@ -203,26 +203,10 @@ void NativeEngine<Real>::take_last_step(const Assembly& assembly) {
 
 template <typename Real>
 void NativeEngine<Real>::prepare_law() {
-  const Material& m = settings_.material;
-  const PairConstants pair = pair_constants(m, 1.0, 1.0);  // moduli and damping do not depend on the radii
-  const double hertz = hertz_coefficient(pair), mindlin = mindlin_coefficient(pair);
-  const double dashpot = dashpot_coefficient(pair);
-  const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
-  const auto in_law = [](double x) { return static_cast<Real>(x); };
   law_is_new_ = true;
   grains_.time_step = settings_.time_step;
-  grains_.law = {.normal_stiffness = in_law(hertz),
-                 .normal_damping = in_law(dashpot * std::sqrt(loading_coefficient(pair))),
-                 .tangential_stiffness = in_law(mindlin),
-                 .tangential_damping = in_law(dashpot * std::sqrt(mindlin)),
-                 .sliding_friction = in_law(m.sliding_friction),
-                 .rolling_friction = in_law(m.rolling_friction),
-                 .rolling_stiffness = in_law(rolling),
-                 .rolling_damping = in_law(2.0 * m.rolling_viscous_damping * std::sqrt(rolling * hertz)),
-                 .time_step = in_law(settings_.time_step)};
-  grains_.variant = m.rolling_friction > 0.0   ? native::LawVariant::sliding_and_rolling
-                    : m.sliding_friction > 0.0 ? native::LawVariant::sliding
-                                               : native::LawVariant::frictionless;
+  grains_.law = native::law_constants<Real>(settings_.material, settings_.time_step);
+  grains_.variant = native::variant_of(settings_.material);
   const std::size_t n = grains_.role.size();
   grains_.kick.resize(n);
   grains_.twist.resize(n);
@@ -235,7 +219,9 @@ void NativeEngine<Real>::prepare_law() {
 
 template <typename Real>
 void NativeEngine<Real>::set(const EngineSettings& settings) {
-  if (settings.material.density != settings_.material.density) {  // grains and pairs store their masses
+  // Grains and pairs store their masses, and pairs the constants of their law.
+  if (settings.material.density != settings_.material.density ||
+      settings.material.contact_law != settings_.material.contact_law) {
     const BoundaryMotion motion = motion_;
     load(save(), settings);
     move(motion);

@@ -8,11 +8,12 @@
 namespace flowslide::native {
 
 template <typename Real>
-void PairList<Real>::Columns::resize(std::size_t pairs) {
+void PairList<Real>::Columns::resize(std::size_t pairs, bool constant_scale) {
   for (auto* column : {&first, &second}) column->resize(pairs);
   image.resize(pairs);
   for (auto* column : {&first_radius, &second_radius}) column->resize(pairs);
   for (auto* column : {&effective_radius, &root_effective_mass, &root_rolling_inertia}) column->resize(pairs);
+  root_scale.resize(constant_scale ? pairs : 0);
 }
 
 template <typename Real>
@@ -25,25 +26,29 @@ void PairList<Real>::Columns::put(std::size_t p, const Candidate& candidate, std
   effective_radius[p] = candidate.effective_radius;
   root_effective_mass[p] = candidate.root_effective_mass;
   root_rolling_inertia[p] = candidate.root_rolling_inertia;
+  if (!root_scale.empty()) root_scale[p] = candidate.root_scale;
 }
 
 template <typename Real>
-auto PairList<Real>::candidate(const NearPair& pair, const Bodies& bodies) -> Candidate {
+auto PairList<Real>::candidate(const NearPair& pair, const Bodies& bodies) const -> Candidate {
   const Body<Real>&a = bodies[pair.first], &b = bodies[pair.second];
   const double mass_a = a.mass, mass_b = b.mass;
   // J = m R^2 about the contact; I_r = 7/5 J_1 J_2 / (J_1 + J_2).
   const double first = mass_a * a.radius * a.radius, second = mass_b * b.radius * b.radius;
+  const double radius = a.radius * b.radius / (a.radius + b.radius), mass = mass_a * mass_b / (mass_a + mass_b);
   return {pair,
           a.radius,
           b.radius,
-          static_cast<Real>(a.radius * b.radius / (a.radius + b.radius)),
-          static_cast<Real>(std::sqrt(mass_a * mass_b / (mass_a + mass_b))),
-          static_cast<Real>(std::sqrt(1.4 * first * second / (first + second)))};
+          static_cast<Real>(radius),
+          static_cast<Real>(std::sqrt(mass)),
+          static_cast<Real>(std::sqrt(1.4 * first * second / (first + second))),
+          static_cast<Real>(constant_root_scale(law_, radius, mass))};
 }
 
 template <typename Real>
 void PairList<Real>::search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
-                            const std::vector<double>& allowance) {
+                            const std::vector<double>& allowance, ContactLaw law) {
+  law_ = law;
   candidates_.clear();
   folded_.assign(role.size(), 0);
   for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(share_))
@@ -58,7 +63,8 @@ void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::ve
   set_shifts(cell);
   std::swap(old_, columns_);
   const std::size_t old_pairs = pairs_;
-  columns_.resize(candidates_.size() + tile_size);
+  const bool constant_scale = has_constant_scale(law_);
+  columns_.resize(candidates_.size() + tile_size, constant_scale);
   pairs_ = 0;
   for (const Candidate& c : candidates_) {
     const auto [i, j, found] = c.pair;
@@ -71,7 +77,7 @@ void PairList<Real>::build(const Cell& cell, const Bodies& bodies, const std::ve
   }
   std::size_t padded = pairs_;
   while (padded % tile_size != 0) columns_.put(padded++, nobody_, nobody_.pair.image);
-  columns_.resize(padded);
+  columns_.resize(padded, constant_scale);
   for (auto& column : columns_.history) column.assign(padded, Real(0));
   keep_histories(old_pairs);
 }
@@ -176,6 +182,7 @@ PairView<Real> PairList<Real>::view(const Cell& cell) {
                 columns_.effective_radius.data(),
                 columns_.root_effective_mass.data(),
                 columns_.root_rolling_inertia.data(),
+                columns_.root_scale.data(),
                 {},
                 {},
                 static_cast<Real>(cell.shear_velocity)};

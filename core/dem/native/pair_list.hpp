@@ -22,9 +22,9 @@ class PairList {
   explicit PairList(const Share& share) : share_(share) {}
 
   /// Finds the pairs from which lists are built. `bodies` are folded into the cell; the last two are no grains but pad
-  /// the last tile. `allowance` (m), shape (n), is that of each grain. Call `build` next.
+  /// the last tile. `allowance` (m), shape (n), is that of each grain. The pairs store what `law` needs. Call `build` next.
   void search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
-              const std::vector<double>& allowance);
+              const std::vector<double>& allowance, ContactLaw law);
   /// Builds the list and keeps the histories of pairs that were in the list before. `allowance` (m), shape (n): at most
   /// the remaining allowance of the search for each grain.
   void build(const Cell& cell, const Bodies& bodies, const std::vector<double>& allowance);
@@ -52,23 +52,25 @@ class PairList {
   struct Candidate {
     NearPair pair;
     double first_radius, second_radius;
-    Real effective_radius, root_effective_mass, root_rolling_inertia;
+    Real effective_radius, root_effective_mass, root_rolling_inertia, root_scale;
   };
   struct Columns {
     std::vector<std::uint32_t> first, second;
     std::vector<std::uint8_t> image;
     std::vector<double> first_radius, second_radius;
     std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia;
+    std::vector<Real> root_scale;  ///< empty for a law whose scale changes with the overlap
     std::array<std::vector<Real>, 6> history;  ///< three components of the spring, three of the rolling torque
-    void resize(std::size_t pairs);
+    void resize(std::size_t pairs, bool constant_scale);
     void put(std::size_t p, const Candidate& candidate, std::uint8_t image_now);
   };
-  static Candidate candidate(const NearPair& pair, const Bodies& bodies);
+  Candidate candidate(const NearPair& pair, const Bodies& bodies) const;
   void keep_histories(std::size_t old_pairs);
   Vector3 history(std::size_t first_component, std::size_t pair) const;
   void set_shifts(const Cell& cell);
 
   Share share_;
+  ContactLaw law_ = ContactLaw::hertz;  ///< of the last search
   std::vector<Candidate> candidates_;
   std::vector<int> folded_;  ///< change of the image number of each grain's pairs by folds since the search
   Candidate nobody_{};       ///< padding pair

@@ -152,7 +152,7 @@ template <typename Real>
 void Worker<Real>::rebuild(int turn) {
   const std::vector<Body<double>>& bodies = grains_.exact(turn);
   allow(grains_.seen(turn));
-  list_.search(boundaries_.cell(), grains_.seen(turn), grains_.role, search_allowance_);
+  list_.search(boundaries_.cell(), grains_.seen(turn), grains_.role, search_allowance_, grains_.law.law);
   search_watch_.start(share_, bodies, search_allowance_);
   boundaries_.find_near(bodies, grains_.role, most * grains_.smallest_diameter);
   build(turn);
@@ -246,10 +246,7 @@ void Worker<Real>::add_histories(const std::vector<Body<Real>>& half_step,
     list_.add_histories(half_step, contacts);
   } else {
     PairList<Real> eased = list_;
-    LawConstants<Real> law = grains_.law;
-    law.time_step = 0;
-    law.sliding_friction *= static_cast<Real>(1.0 - PairList<Real>::easing);
-    law.rolling_friction *= static_cast<Real>(1.0 - PairList<Real>::easing);
+    const auto law = with_scaled_caps(grains_.law, static_cast<Real>(1.0 - PairList<Real>::easing));
     std::vector<Load<Real>> unused(half_step.size());
     passes_.contacts(grains_.variant, law, eased.view(boundaries_.cell()), half_step.data(), unused.data(), nullptr);
     list_.add_histories(half_step, contacts, &eased);

@@ -31,20 +31,20 @@ Passes<Real> widest() {
 TYPED_TEST(ContactPassOf, EveryLawIsThatOfTheGrains) {
   constexpr double within = tolerance<TypeParam>;
   std::size_t sliding = 0, rolling = 0, sticking = 0;
-  for (const LawVariant variant : variants) {
-    const Material m = material_of(variant);
-    RandomPairs<TypeParam> pairs(3);
+  for (const Material& m : materials()) {
+    const LawVariant variant = variant_of(m);
+    RandomPairs<TypeParam> pairs(3, m);
     pairs.image_velocity = TypeParam(0.75);
     const RandomPairs<TypeParam> before = pairs;
-    pairs.evaluate(widest<TypeParam>(), variant);
+    pairs.evaluate(widest<TypeParam>());
     for (std::size_t p = 0; p < pairs.first.size(); ++p) {
       if (pairs.overlap(p) <= 0.0) continue;
       const double radius = pairs.first_radius[p];
-      const ContactForce law = before.law(p, m);
+      const ContactForce law = before.law(p);
       const Load<TypeParam>&first = pairs.loads[2 * p], &second = pairs.loads[2 * p + 1];
       // The scale is that of the terms, as spring and dashpot may cancel.
       const PairConstants c = pair_constants(m, radius, pairs.second_radius[p]);
-      const double force = normal_force(c, pairs.overlap(p), 0.0) + law.on_first.norm();
+      const double force = normal_force(m, c, pairs.overlap(p), 0.0) + law.on_first.norm();
       EXPECT_LT((vector_of(first.force) - law.on_first).norm(), within * force);
       EXPECT_EQ(vector_of(first.force), -vector_of(second.force));
       const double torque = force * (radius + pairs.second_radius[p]) + law.rolling_torque.norm();
@@ -66,10 +66,11 @@ TYPED_TEST(ContactPassOf, EveryLawIsThatOfTheGrains) {
 }
 
 TYPED_TEST(ContactPassOf, OpenPairsAddExactZerosAndForgetTheirHistories) {
-  for (const LawVariant variant : variants) {
-    RandomPairs<TypeParam> pairs(4);
+  for (const Material& m : materials()) {
+    const LawVariant variant = variant_of(m);
+    RandomPairs<TypeParam> pairs(4, m);
     pairs.loads.assign(pairs.bodies.size(), {{1, 2, 3}, 0, {4, 5, 6}, 0});
-    pairs.evaluate(widest<TypeParam>(), variant);
+    pairs.evaluate(widest<TypeParam>());
     std::size_t open = 0;
     for (std::size_t p = 0; p < pairs.first.size(); ++p) {
       if (pairs.overlap(p) > 0.0) continue;
@@ -92,7 +93,7 @@ TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGr
   const RandomPairs<TypeParam> before = pairs;
   const AcrossFaces start{7.0, 8.0, 9.0, 10.0, 11.0};
   pairs.across.assign(pairs.across.size(), start);
-  pairs.evaluate(widest<TypeParam>(), LawVariant::sliding_and_rolling);
+  pairs.evaluate(widest<TypeParam>());
   std::vector<AcrossFaces> sum(pairs.across.size(), start);
   std::size_t across = 0;
   for (std::size_t p = 0; p < pairs.first.size(); ++p)
@@ -109,9 +110,8 @@ TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGr
   EXPECT_GT(across, 20u);
   // Without a place for it, everything else is the same.
   RandomPairs<TypeParam> plain = before;
-  const LawVariant all = LawVariant::sliding_and_rolling;
-  widest<TypeParam>().contacts(all, constants_of<TypeParam>(material_of(all)), plain.view(), plain.bodies.data(),
-                               plain.loads.data(), nullptr);
+  widest<TypeParam>().contacts(variant_of(plain.material), law_constants<TypeParam>(plain.material, pass_step),
+                               plain.view(), plain.bodies.data(), plain.loads.data(), nullptr);
   for (std::size_t i = 0; i < pairs.loads.size(); ++i)
     EXPECT_EQ(vector_of(plain.loads[i].force), vector_of(pairs.loads[i].force));
 }

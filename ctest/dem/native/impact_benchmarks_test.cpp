@@ -43,7 +43,7 @@ struct Hertz {
     overlap = std::pow(
         15.0 * pair.effective_mass * speed * speed / (16.0 * std::sqrt(pair.effective_radius) * pair.effective_modulus),
         0.4);
-    force = normal_force(pair, overlap, 0.0);
+    force = 4.0 / 3.0 * pair.effective_modulus * std::sqrt(pair.effective_radius * overlap) * overlap;
     time = 0.8 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9) * overlap / speed;
   }
   double overlap, force, time;

@@ -183,7 +183,7 @@ TEST(LawAlone, RollingAtItsCapSlowsEvenlyAndThenComesToRest) {
   const Material m = material(0.8, 0.0, 0.1);
   const double overlap = 1e-5, time_step = 1e-7;
   const PairConstants pair = pair_constants(m, 3e-3, 2e-3);
-  const double slope = 2.0 * m.rolling_friction * normal_force(pair, overlap, 0.0) * pair.effective_radius /
+  const double slope = 2.0 * m.rolling_friction * normal_force(m, pair, overlap, 0.0) * pair.effective_radius /
                        sphere_inertia(3e-3, m);  // rad/s^2
   DoubleEngine engine;
   engine.load(column(overlap, {3000.0, 0.0, 0.0}), {m, time_step, 0.0});
@@ -201,7 +201,7 @@ TEST(LawAlone, RollingAtItsCapSlowsEvenlyAndThenComesToRest) {
 TEST(LawAlone, SlidingSurfaceSlowsEvenlyByCoulombAndTwistingIsFree) {
   const Material m = material(0.8, 0.5, 0.0);
   const double overlap = 1e-5, time_step = 1e-7;
-  const double force = normal_force(pair_constants(m, 3e-3, 2e-3), overlap, 0.0);
+  const double force = normal_force(m, pair_constants(m, 3e-3, 2e-3), overlap, 0.0);
   const double slope = 2.0 * m.sliding_friction * force * (3e-3 - 0.5 * overlap) / sphere_inertia(3e-3, m);
   DoubleEngine engine;
   engine.load(column(overlap, {0.0, 2000.0, 50.0}), {m, time_step, 0.0});

@@ -64,7 +64,7 @@ std::vector<ContactHistory> histories(const PairList<Real>& list, const std::vec
 template <typename Real>
 void make(PairList<Real>& list, const Assembly& cloud, const std::vector<Body<Real>>& bodies,
           const std::vector<double>& allowance) {
-  list.search(cloud.cell, bodies, cloud.role, allowance);
+  list.search(cloud.cell, bodies, cloud.role, allowance, ContactLaw::hertz);
   list.build(cloud.cell, bodies, allowance);
 }
 
@@ -79,7 +79,7 @@ TEST(PairList, LosesNoPairAndNoHistoryOfTenThousandRandomClouds) {
     std::vector<double> wide;
     for (std::size_t i = 0; i < cloud.size(); ++i) wide.push_back(allowance[i] + other[i]);
     PairList<double> list(all);
-    list.search(cloud.cell, bodies, cloud.role, wide);
+    list.search(cloud.cell, bodies, cloud.role, wide, ContactLaw::hertz);
     list.build(cloud.cell, bodies, allowance);
     expect_all_pairs(cloud, list, allowance, all);
     list.set_histories(cloud.contacts);

@@ -4,6 +4,7 @@
 
 #include "dem/native/cell_grid.hpp"
 #include "grains/contact_search.hpp"
+#include "grains/material.hpp"
 #include "grains/pair_constants.hpp"
 #include "support/clustered_cloud.hpp"
 

@@ -13,30 +13,19 @@ namespace flowslide::native {
 
 constexpr double pass_step = 1e-6;  // s
 
-constexpr LawVariant variants[] = {LawVariant::frictionless, LawVariant::sliding, LawVariant::sliding_and_rolling};
-
-inline Material material_of(LawVariant variant) {
-  Material m;
-  if (variant != LawVariant::sliding_and_rolling) m.rolling_friction = 0.0;
-  if (variant == LawVariant::frictionless) m.sliding_friction = 0.0;
-  return m;
-}
-
-template <typename Real>
-LawConstants<Real> constants_of(const Material& m) {
-  const PairConstants pair = pair_constants(m, 1.0, 1.0);
-  const double dashpot = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping, hertz = 4.0 / 3.0 * pair.effective_modulus;
-  const double rolling = m.rolling_stiffness * m.rolling_friction * m.rolling_friction;
-  const auto real = [](double x) { return static_cast<Real>(x); };
-  return {.normal_stiffness = real(hertz),
-          .normal_damping = real(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
-          .tangential_stiffness = real(8.0 * pair.effective_shear_modulus),
-          .tangential_damping = real(dashpot * std::sqrt(8.0 * pair.effective_shear_modulus)),
-          .sliding_friction = real(m.sliding_friction),
-          .rolling_friction = real(m.rolling_friction),
-          .rolling_stiffness = real(rolling),
-          .rolling_damping = real(2.0 * m.rolling_viscous_damping * std::sqrt(rolling * hertz)),
-          .time_step = real(pass_step)};
+/// One material for each contact law and variant.
+inline std::vector<Material> materials() {
+  std::vector<Material> all;
+  for (const std::string& name : contact_law_names()) {
+    Material m;
+    m.contact_law = contact_law_of(name);
+    all.push_back(m);
+    m.rolling_friction = 0.0;
+    all.push_back(m);
+    m.sliding_friction = 0.0;
+    all.push_back(m);
+  }
+  return all;
 }
 
 template <typename Real, std::size_t size>
@@ -48,7 +37,7 @@ Vector3 vector_of(const Real (&components)[size]) {
 /// sticking and sliding.
 template <typename Real>
 struct RandomPairs {
-  explicit RandomPairs(std::uint64_t seed, std::size_t count = 4 * tile_size) {
+  explicit RandomPairs(std::uint64_t seed, const Material& m = {}, std::size_t count = 4 * tile_size) : material(m) {
     Dice dice(seed);
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
@@ -61,7 +50,7 @@ struct RandomPairs {
       Body<double> b = grain(dice);
       const Vector3 apart = dice.vector(1.0).normalized() * (a.radius + b.radius) * (1.0 - dice.between(-0.01, 0.02));
       Vector3::Map(b.position) = Vector3::Map(a.position) - apart - Vector3::Map(shift[image[p]]);
-      add_constants(pair_constants(Material{}, a.radius, b.radius));
+      add_constants(pair_constants(m, a.radius, b.radius));
       bodies.push_back(in_precision<Real>(a));
       bodies.push_back(in_precision<Real>(b));
       const Vector3 s = dice.vector(dice.below(2) == 0 ? 1e-8 : 1e-5),
@@ -90,6 +79,8 @@ struct RandomPairs {
     effective_radius.push_back(static_cast<Real>(c.effective_radius));
     root_effective_mass.push_back(static_cast<Real>(std::sqrt(c.effective_mass)));
     root_rolling_inertia.push_back(static_cast<Real>(std::sqrt(c.rolling_inertia)));
+    root_scale.push_back(
+        static_cast<Real>(constant_root_scale(material.contact_law, c.effective_radius, c.effective_mass)));
   }
   /// Neighbours in the list share their first grain, as in a real one.
   void share_first() {
@@ -114,6 +105,7 @@ struct RandomPairs {
                      effective_radius.data(),
                      root_effective_mass.data(),
                      root_rolling_inertia.data(),
+                     root_scale.data(),
                      {},
                      {},
                      image_velocity};
@@ -123,9 +115,9 @@ struct RandomPairs {
     }
     return v;
   }
-  void evaluate(const Passes<Real>& passes, LawVariant variant) {
-    passes.contacts(variant, constants_of<Real>(material_of(variant)), view(), bodies.data(), loads.data(),
-                    across.data());
+  void evaluate(const Passes<Real>& passes) {
+    passes.contacts(variant_of(material), law_constants<Real>(material, pass_step), view(), bodies.data(),
+                    loads.data(), across.data());
   }
 
   /// Separation and overlap as the pass computes them in double, to the bit.
@@ -141,21 +133,23 @@ struct RandomPairs {
   Vector3 spring(std::size_t p) const { return {history[0][p], history[1][p], history[2][p]}; }
   Vector3 torque(std::size_t p) const { return {history[3][p], history[4][p], history[5][p]}; }
   /// What the law of the grains makes of a pair.
-  ContactForce law(std::size_t p, const Material& m) const {
+  ContactForce law(std::size_t p) const {
     const Body<Real>&a = bodies[first[p]], &b = bodies[second[p]];
     const ContactKinematics motion{separation(p) / (first_radius[p] + second_radius[p] - overlap(p)), overlap(p),
                                    vector_of(a.velocity) - vector_of(b.velocity) -
                                        double{image_velocity} * layer_of(image[p]) * Vector3::UnitX(),
                                    vector_of(a.spin), vector_of(b.spin)};
-    return evaluate_contact(m, pair_constants(m, a.radius, b.radius), motion, spring(p), torque(p), pass_step, true);
+    return step_contact(material, pair_constants(material, a.radius, b.radius), motion, {{spring(p)}, {torque(p)}},
+                        pass_step);
   }
 
+  Material material;
   std::vector<Body<Real>> bodies;
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> image;
   alignas(32) double shift[27][4] = {};
   std::vector<double> first_radius, second_radius;
-  std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia;
+  std::vector<Real> effective_radius, root_effective_mass, root_rolling_inertia, root_scale;
   std::array<std::vector<Real>, 6> history;
   std::vector<Load<Real>> loads;
   Real image_velocity = 0;

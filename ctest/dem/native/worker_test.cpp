@@ -34,7 +34,7 @@ class Team {
     grains_.across.resize(grains_.moments.size());
     for (std::uint32_t i = 0; i < n; ++i)
       if (grains_.role[i] == Role::top_layer) grains_.top_layer.push_back(i);
-    grains_.law = constants_of<Real>(Material{});
+    grains_.law = law_constants<Real>(Material{}, pass_step);
     grains_.smallest_diameter = 2.0 * assembly_.smallest_radius();
     grains_.largest_diameter = 2.0 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
     std::size_t begin = 0;

@@ -2,10 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "dem/native/isa/fused.hpp"
-#include "dem/native/isa/roots.hpp"
 #include "dem/native/isa/tile.hpp"
 #include "dem/native/isa/transpose.hpp"
+#include "grains/laws/fused.hpp"
 
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
@@ -80,8 +79,8 @@ inline void measure(double squared, double touching, Real& inverse_distance, Rea
   }
 }
 
-/// Fills a tile with geometry and motion of the pairs from index `start`.
-template <typename Real, bool Spins>
+/// Fills a tile with geometry and motion of the pairs from index `start`. `Normal` is the normal part of the law.
+template <typename Real, typename Normal, bool Spins>
 inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
   t.effective_radius = pairs.effective_radius + start;
   t.root_effective_mass = pairs.root_effective_mass + start;
@@ -95,18 +94,25 @@ inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Re
   const double* __restrict first_radius = pairs.first_radius + start;
   const double* __restrict second_radius = pairs.second_radius + start;
   const Real* __restrict radii = t.effective_radius;
+  [[maybe_unused]] const Real* __restrict root_scales = Normal::scale_is_constant ? pairs.root_scale + start : nullptr;
 #pragma omp simd
   for (int k = 0; k < Tile<Real>::size; ++k) {
-    const double dx = t.separation[0][k], dy = t.separation[1][k], dz = t.separation[2][k];
+    const laws::Components<double> apart{t.separation[0][k], t.separation[1][k], t.separation[2][k]};
     Real inverse, overlap;
-    measure(dot(dx, dy, dz, dx, dy, dz), first_radius[k] + second_radius[k], inverse, overlap);
+    measure(laws::dot(apart, apart), first_radius[k] + second_radius[k], inverse, overlap);
     const Real half = Real(0.5) * overlap;
     const Real first = static_cast<Real>(first_radius[k]) - half, second = static_cast<Real>(second_radius[k]) - half;
-    t.normal[0][k] = static_cast<Real>(dx) * inverse;
-    t.normal[1][k] = static_cast<Real>(dy) * inverse;
-    t.normal[2][k] = static_cast<Real>(dz) * inverse;
+    t.normal[0][k] = static_cast<Real>(apart.x) * inverse;
+    t.normal[1][k] = static_cast<Real>(apart.y) * inverse;
+    t.normal[2][k] = static_cast<Real>(apart.z) * inverse;
     t.overlap[k] = overlap;
-    two_roots(radii[k] * overlap, t.root[k], t.fourth_root[k]);
+    if constexpr (Normal::scale_is_constant) {
+      const Real root_scale = overlap > Real(0) ? root_scales[k] : Real(0);
+      t.scale[k] = root_scale * root_scale;
+      t.root_scale[k] = root_scale;
+    } else {
+      Normal::scales(radii[k], overlap, t.scale[k], t.root_scale[k]);
+    }
     t.arm[0][k] = first;
     t.arm[1][k] = second;
     if constexpr (Spins) {

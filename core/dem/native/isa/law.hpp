@@ -1,121 +1,79 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// The contact law of the native engine for a tile of contacts. Change this file to try another law.
+// The contact law of the native engine for a tile of contacts: composed of the parts in grains/laws.
 #pragma once
 #include <cmath>
 
-#include "dem/native/isa/fused.hpp"
-#include "dem/native/isa/roots.hpp"
 #include "dem/native/isa/tile.hpp"
 
 namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 
-/// Hertz normal force, tangential history with Coulomb cap, and EPSD3 rolling (equations: grains/contact_law.hpp) for
-/// all contacts of a tile. Reads geometry and motion, advances the histories, and writes forces and torques.
-///
-/// There is no branch. The overlap of an open pair is 0, which makes stiffness, forces and caps exactly 0. The scaling
-/// of a history by min(1, cap/size) then clears it. `Sliding` and `Rolling` select the parts of the law; rolling
-/// requires sliding.
-template <typename Real, bool Sliding, bool Rolling>
-inline void apply_law(const LawConstants<Real>& c, Tile<Real>& t) {
-  using std::fma;
-  constexpr Real tiny = smallest_argument<Real>;  // only avoids 0/0
-  const Real* __restrict radii = t.effective_radius;
-  const Real* __restrict root_masses = t.root_effective_mass;
-  const Real* __restrict root_inertias = t.root_rolling_inertia;
-  Real* __restrict spring_x = t.spring[0];
-  Real* __restrict spring_y = t.spring[1];
-  Real* __restrict spring_z = t.spring[2];
-  Real* __restrict torque_x = t.rolling_torque[0];
-  Real* __restrict torque_y = t.rolling_torque[1];
-  Real* __restrict torque_z = t.rolling_torque[2];
-#pragma omp simd
-  for (int k = 0; k < Tile<Real>::size; ++k) {
-    const Real nx = t.normal[0][k], ny = t.normal[1][k], nz = t.normal[2][k];
-    const Real kn = c.normal_stiffness * t.root[k];
-    const Real dashpot = t.fourth_root[k] * root_masses[k];
-    const Real ux = t.velocity[0][k], uy = t.velocity[1][k], uz = t.velocity[2][k];
-    const Real vn = dot(ux, uy, uz, nx, ny, nz);
-    const Real normal = difference_of_products(kn, t.overlap[k], c.normal_damping * dashpot, vn);
-    const Real bound = std::fabs(normal);
+template <typename Real>
+FLOWSLIDE_LANE laws::Components<Real> components_at(const Real (&columns)[3][tile_size], int k) {
+  return {columns[0][k], columns[1][k], columns[2][k]};
+}
+template <typename Real>
+FLOWSLIDE_LANE laws::Components<Real> components_at(Real* const (&columns)[3], int k) {
+  return {columns[0][k], columns[1][k], columns[2][k]};
+}
+template <typename Columns, typename Real>
+FLOWSLIDE_LANE void put(const laws::Components<Real>& value, Columns& columns, int k) {
+  columns[0][k] = value.x;
+  columns[1][k] = value.y;
+  columns[2][k] = value.z;
+}
 
-    Real fx = 0, fy = 0, fz = 0;  // tangential force
-    if constexpr (Sliding) {
-      // v_t = v - (v.n) n - W x n, W = c_1 w_1 + c_2 w_2; the spring advances and is projected on the contact plane.
-      const Real wx = t.surface_spin[0][k], wy = t.surface_spin[1][k], wz = t.surface_spin[2][k];
-      const Real vx = fma(-vn, nx, ux) - difference_of_products(nz, wy, ny, wz);
-      const Real vy = fma(-vn, ny, uy) - difference_of_products(nx, wz, nz, wx);
-      const Real vz = fma(-vn, nz, uz) - difference_of_products(ny, wx, nx, wy);
-      Real sx = fma(vx, c.time_step, spring_x[k]);
-      Real sy = fma(vy, c.time_step, spring_y[k]);
-      Real sz = fma(vz, c.time_step, spring_z[k]);
-      const Real along = dot(sx, sy, sz, nx, ny, nz);
-      sx = fma(-along, nx, sx);
-      sy = fma(-along, ny, sy);
-      sz = fma(-along, nz, sz);
-      const Real kt = c.tangential_stiffness * t.root[k];
-      const Real elastic = fma(kt, std::sqrt(dot(sx, sy, sz, sx, sy, sz)), tiny);
-      const Real cap = c.sliding_friction * bound;
-      const bool sticks = elastic <= cap;
-      const Real ratio = cap / elastic;
-      const Real scale = sticks ? Real(1) : ratio;
-      const Real damping = sticks ? c.tangential_damping * dashpot : Real(0);
-      sx *= scale;
-      sy *= scale;
-      sz *= scale;
-      fx = difference_of_products(-kt, sx, damping, vx);
-      fy = difference_of_products(-kt, sy, damping, vy);
-      fz = difference_of_products(-kt, sz, damping, vz);
-      spring_x[k] = sx;
-      spring_y[k] = sy;
-      spring_z[k] = sz;
-    }
+/// Force and torques of contact `k` of a tile by the parts of `Law`. Reads geometry and motion, advances the histories,
+/// and writes forces and torques. There is no branch. `Sliding` and `Rolling` select the parts; rolling requires sliding.
+template <typename Real, typename Law, bool Sliding, bool Rolling>
+FLOWSLIDE_LANE void apply_to_contact(const LawConstants<Real>& constants, Tile<Real>& t, int k) {
+  using laws::Components;
+  const auto& normal_part = constants.template of<typename Law::Normal>();
+  laws::Lane<Real> contact;
+  contact.normal = components_at(t.normal, k);
+  contact.overlap = t.overlap[k];
+  contact.scale = t.scale[k];
+  contact.root_scale = t.root_scale[k];
+  contact.root_effective_mass = t.root_effective_mass[k];
+  contact.velocity = components_at(t.velocity, k);
+  contact.separation_velocity = dot(contact.velocity, contact.normal);
+  contact.time_step = constants.time_step;
+  const Real normal = Law::Normal::force(normal_part, contact);
+  const Real bound = std::fabs(normal);
 
-    Real mx = 0, my = 0, mz = 0;  // rolling torque
-    if constexpr (Rolling) {
-      const Real rx = t.relative_spin[0][k], ry = t.relative_spin[1][k], rz = t.relative_spin[2][k];
-      const Real along = dot(rx, ry, rz, nx, ny, nz);
-      const Real wx = fma(-along, nx, rx);
-      const Real wy = fma(-along, ny, ry);
-      const Real wz = fma(-along, nz, rz);
-      const Real radius = radii[k];
-      const Real turn = c.time_step * (c.rolling_stiffness * kn * (radius * radius));
-      mx = fma(wx, turn, torque_x[k]);
-      my = fma(wy, turn, torque_y[k]);
-      mz = fma(wz, turn, torque_z[k]);
-      const Real squared = dot(mx, my, mz, mx, my, mz);
-      const Real cap = c.rolling_friction * bound * radius;
-      const bool holds = squared <= cap * cap;
-      const Real ratio = cap * inverse_root(squared > tiny ? squared : tiny);
-      const Real scale = holds ? Real(1) : ratio;
-      const Real damping = holds ? c.rolling_damping * root_inertias[k] * (radius * t.fourth_root[k]) : Real(0);
-      mx *= scale;
-      my *= scale;
-      mz *= scale;
-      torque_x[k] = mx;
-      torque_y[k] = my;
-      torque_z[k] = mz;
-      mx = fma(damping, wx, mx);
-      my = fma(damping, wy, my);
-      mz = fma(damping, wz, mz);
-    }
-
-    t.force[0][k] = fma(normal, nx, fx);
-    t.force[1][k] = fma(normal, ny, fy);
-    t.force[2][k] = fma(normal, nz, fz);
-    // Torques: lever arm times F_t x n on both grains; minus the rolling torque on the first, plus on the second.
-    const Real qx = difference_of_products(nz, fy, ny, fz);
-    const Real qy = difference_of_products(nx, fz, nz, fx);
-    const Real qz = difference_of_products(ny, fx, nx, fy);
-    const Real first = t.arm[0][k], second = t.arm[1][k];
-    t.torque[0][0][k] = fma(first, qx, -mx);
-    t.torque[0][1][k] = fma(first, qy, -my);
-    t.torque[0][2][k] = fma(first, qz, -mz);
-    t.torque[1][0][k] = fma(second, qx, mx);
-    t.torque[1][1][k] = fma(second, qy, my);
-    t.torque[1][2][k] = fma(second, qz, mz);
+  Components<Real> tangential;
+  if constexpr (Sliding) {
+    contact.surface_spin = components_at(t.surface_spin, k);
+    Components<Real> spring = components_at(t.spring, k);
+    tangential = Law::Tangential::force(constants.template of<typename Law::Tangential>(), normal_part, contact, bound,
+                                        spring);
+    put(spring, t.spring, k);
   }
+  Components<Real> rolling;
+  if constexpr (Rolling) {
+    contact.effective_radius = t.effective_radius[k];
+    contact.root_rolling_inertia = t.root_rolling_inertia[k];
+    contact.relative_spin = components_at(t.relative_spin, k);
+    Components<Real> torque = components_at(t.rolling_torque, k);
+    rolling = Law::Rolling::torque(constants.template of<typename Law::Rolling>(), normal_part, contact, bound, torque);
+    put(torque, t.rolling_torque, k);
+  }
+
+  put(add_scaled(tangential, normal, contact.normal), t.force, k);
+  // Torques: lever arm times F_t x n on both grains; minus the rolling torque on the first, plus on the second.
+  const Components<Real> moment = cross(tangential, contact.normal);
+  put(add_scaled(Components<Real>{-rolling.x, -rolling.y, -rolling.z}, t.arm[0][k], moment), t.torque[0], k);
+  put(add_scaled(rolling, t.arm[1][k], moment), t.torque[1], k);
+}
+
+/// Forces and torques of all contacts of a tile. The loop calls one function that is inlined whole: its variables then
+/// are numbers in registers. Variables of the loop itself that are passed by reference would become arrays over the
+/// lanes, and variables of functions that these call would not (g++ 12 then gives wrong numbers).
+template <typename Real, typename Law, bool Sliding, bool Rolling>
+inline void apply_law(const LawConstants<Real>& constants, Tile<Real>& t) {
+#pragma omp simd
+  for (int k = 0; k < Tile<Real>::size; ++k) apply_to_contact<Real, Law, Sliding, Rolling>(constants, t, k);
 }
 
 }  // namespace FLOWSLIDE_ISA

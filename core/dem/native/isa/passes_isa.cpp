@@ -13,14 +13,14 @@ namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 namespace {
 
-template <typename Real, bool Sliding, bool Rolling>
+template <typename Real, typename Law, bool Sliding, bool Rolling>
 void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs, const Body<Real>* bodies,
                Load<Real>* loads, AcrossFaces* across) {
   constexpr bool spins = Sliding || Rolling;
   Tile<Real> tile;
   for (std::size_t start = pairs.begin; start < pairs.end; start += Tile<Real>::size) {
-    gather<Real, spins>(pairs, start, bodies, tile);
-    apply_law<Real, Sliding, Rolling>(constants, tile);
+    gather<Real, typename Law::Normal, spins>(pairs, start, bodies, tile);
+    apply_law<Real, Law, Sliding, Rolling>(constants, tile);
     scatter<Real, spins>(pairs, start, tile, loads);
     if (across) add_across(pairs, start, tile, across);
   }
@@ -29,11 +29,14 @@ void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs,
 template <typename Real>
 void contacts(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
               const Body<Real>* bodies, Load<Real>* loads, AcrossFaces* across) {
-  switch (variant) {
-    case LawVariant::frictionless: return all_pairs<Real, false, false>(constants, pairs, bodies, loads, across);
-    case LawVariant::sliding: return all_pairs<Real, true, false>(constants, pairs, bodies, loads, across);
-    case LawVariant::sliding_and_rolling: return all_pairs<Real, true, true>(constants, pairs, bodies, loads, across);
-  }
+  visit_law(constants.law, [&]<typename Law>(Law) {
+    switch (variant) {
+      case LawVariant::frictionless: return all_pairs<Real, Law, false, false>(constants, pairs, bodies, loads, across);
+      case LawVariant::sliding: return all_pairs<Real, Law, true, false>(constants, pairs, bodies, loads, across);
+      case LawVariant::sliding_and_rolling:
+        return all_pairs<Real, Law, true, true>(constants, pairs, bodies, loads, across);
+    }
+  });
 }
 
 template <typename Real>

@@ -17,7 +17,7 @@ struct Tile {
   // Geometry and motion, of the first grain relative to the second.
   alignas(64) Lanes<Real> normal[3];         ///< unit vector from the second to the first
   alignas(64) Lanes<Real> overlap;           ///< m; 0 for an open pair
-  alignas(64) Lanes<Real> root, fourth_root; ///< (R* overlap)^(1/2), m, and (R* overlap)^(1/4)
+  alignas(64) Lanes<Real> scale, root_scale; ///< s and sqrt(s) of the normal part (see grains/laws/lane.hpp)
   alignas(64) Lanes<Real> velocity[3];       ///< v_1 - v_2, m/s
   alignas(64) Lanes<Real> surface_spin[3];   ///< c_1 w_1 + c_2 w_2, m/s; after `fetch` w_1, rad/s
   alignas(64) Lanes<Real> relative_spin[3];  ///< w_1 - w_2, rad/s; after `fetch` w_2

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// core/dem/native/isa/roots.hpp, compiled without wide vectors: passes_test.cpp compares the bits of the others.
-#define FLOWSLIDE_ISA roots_of_the_test
-#include "dem/native/isa/roots.hpp"
+// core/grains/laws/roots.hpp, compiled without wide vectors: passes_test.cpp compares the bits of the others.
+#include "grains/laws/roots.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@
 
 #include "support/clustered_cloud.hpp"
 
-namespace flowslide::native {
+namespace flowslide::laws {
 namespace {
 
 /// Relative distance from what is exact, in units of the spacing of numbers above 1.
@@ -77,4 +76,4 @@ TEST(Roots, OfZeroAreZeroAndNoNumberIsInfinite) {
 }
 
 }  // namespace
-}  // namespace flowslide::native
+}  // namespace flowslide::laws

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+//
+// The contact laws that `material.contact_law` selects. Register a part or a law in the two lists below; its parameters
+// then are keys of the configuration, and every engine knows it (docs/extending.md).
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grains/laws/epsd3.hpp"
+#include "grains/laws/hertz.hpp"
+#include "grains/laws/sliding.hpp"
+
+namespace flowslide {
+namespace laws {
+
+template <typename... Items>
+struct List {};
+
+/// A contact law of three parts. It has the name of its normal part.
+template <typename NormalPart, typename TangentialPart, typename RollingPart>
+struct Law {
+  using Normal = NormalPart;
+  using Tangential = TangentialPart;
+  using Rolling = RollingPart;
+};
+
+using Parts = List<Hertz, Sliding, Epsd3>;
+using Laws = List<Law<Hertz, Sliding, Epsd3>>;
+
+/// Calls visit(Law) for the law number `index` of the list and returns its result.
+template <typename First, typename... Rest, typename Visit>
+constexpr decltype(auto) visit_item(List<First, Rest...>, int index, Visit&& visit) {
+  if constexpr (sizeof...(Rest) > 0)
+    if (index > 0) return visit_item(List<Rest...>{}, index - 1, visit);
+  return visit(First{});
+}
+
+template <typename... Items, typename Visit>
+constexpr void for_each_item(List<Items...>, Visit&& visit) {
+  (visit(Items{}), ...);
+}
+
+/// The parameters of all parts, as one base of Material.
+template <typename Items>
+struct ParametersOf;
+template <typename... Items>
+struct ParametersOf<List<Items...>> : Items::Parameters... {
+  bool operator==(const ParametersOf&) const = default;
+  static constexpr auto fields() { return std::tuple_cat(Items::Parameters::fields()...); }
+};
+
+/// Whether a part has a parameter of this name.
+template <typename Part>
+constexpr bool has_parameter(std::string_view name) {
+  return std::apply([&](const auto&... field) { return ((name == field.name) || ...); }, Part::Parameters::fields());
+}
+
+}  // namespace laws
+
+/// A law of the list. The default is the first, "hertz".
+enum class ContactLaw : int { hertz = 0 };
+
+/// Calls visit(laws::Law<...>{}) for this law and returns its result.
+template <typename Visit>
+constexpr decltype(auto) visit_law(ContactLaw law, Visit&& visit) {
+  return laws::visit_item(laws::Laws{}, static_cast<int>(law), visit);
+}
+
+/// The name in a configuration and in results.
+std::string name_of(ContactLaw law);
+
+/// All names, in the order of the list.
+std::vector<std::string> contact_law_names();
+
+/// The law with this name. Throws std::invalid_argument for another name; the message gives the allowed names.
+ContactLaw contact_law_of(const std::string& name);
+
+/// Whether a law reads the parameter `name` of the parts. True for a name that no part has.
+bool uses_parameter(ContactLaw law, std::string_view name);
+
+inline std::string field_text(ContactLaw law) { return name_of(law); }
+
+}  // namespace flowslide
