@@ -26,7 +26,8 @@ bool is_liggghts(const std::string& name) { return name == "liggghts" || name ==
 void require_engine(const std::string& name) {
   const std::vector<std::string> known = engine_names();
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw std::invalid_argument(fmt::format("there is no engine '{}'; choose one of: {}", name, fmt::join(known, ", ")));
+    throw std::invalid_argument(
+        fmt::format("there is no engine '{}'; choose one of: {}", name, fmt::join(known, ", ")));
   if (is_liggghts(name) && !has_liggghts)
     throw MissingEngine(fmt::format(
         "this build has no engine '{}', because it was configured with FLOWSLIDE_LIGGGHTS=OFF; choose one of: {}. To "

@@ -24,7 +24,7 @@ std::vector<std::string> engine_names_of_build();
 
 /// The engine with this name. LIGGGHTS writes its log to the file `log`. `threads` is for the native engines: 0 means
 /// one thread below 10 000 grains and otherwise one thread per core. `communicator` is for LIGGGHTS: it points to the
-/// MPI_Comm of the ranks that divide the grains, which must live as long as the engine; nullptr means this process alone.
+/// MPI_Comm of the ranks that divide the grains, which must live as long as the engine; nullptr: this process alone.
 /// Throws std::invalid_argument for an unknown name, and MissingEngine for an engine that this build does not have; the
 /// message gives the names that are allowed.
 std::unique_ptr<Engine> make_engine(const std::string& name, const std::filesystem::path& log, int threads = 0,

@@ -166,8 +166,8 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
     loaded.name = slide.sample.name;
     return loaded;
   }
-  const auto preparing =
-      make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"), run.threads, all_ranks());
+  const auto preparing = make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"),
+                                     run.threads, all_ranks());
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
                                         [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
   loaded.metrics = metrics_of(found);

@@ -13,9 +13,9 @@ namespace flowslide {
 /// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
-  /// Loads the assembly into an engine of its own. Throws std::invalid_argument for missing glued layers, for glued layers in a cell that is
-  /// periodic along z, for settings out of their bounds, and for a time step too long for the smallest grain. Throws
-  /// NumericalFailure for a time step too long for the contacts (see check_contact_time_step).
+  /// Loads the assembly into an engine of its own. Throws std::invalid_argument for missing glued layers, for glued
+  /// layers in a cell that is periodic along z, for settings out of their bounds, and for a time step too long for the
+  /// smallest grain. Throws NumericalFailure for a time step too long for the contacts (see check_contact_time_step).
   DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings);
   /// The same on an engine of the caller, which must outlive the sample and which nothing else may use meanwhile. For
   /// samples that use one engine in turn.
