@@ -59,10 +59,10 @@ struct EngineSettings {
 };
 static_assert(lists_every_member<EngineSettings>());
 
-/// An engine of the discrete element method: Hertz normal force, tangential history with Coulomb cap, EPSD3 rolling
-/// model, velocity Verlet. The history of a contact is cleared when it opens. One object simulates one assembly, and any
-/// number of objects may live side by side. Every call is collective over the ranks of the communicator that the engine
-/// was given, and returns the same values on all of them. Failures throw EngineError.
+/// An engine of the discrete element method with velocity Verlet and the contact law that the material names (see
+/// grains/laws/contact_laws.hpp). The history of a contact is cleared when it opens. One object simulates one assembly,
+/// and any number of objects may live side by side. Every call is collective over the ranks of the communicator that the
+/// engine was given, and returns the same values on all of them. Failures throw EngineError.
 class Engine {
  public:
   virtual ~Engine() = default;

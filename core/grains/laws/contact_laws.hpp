@@ -9,6 +9,7 @@
 
 #include "grains/laws/epsd3.hpp"
 #include "grains/laws/hertz.hpp"
+#include "grains/laws/linear.hpp"
 #include "grains/laws/sliding.hpp"
 
 namespace flowslide {
@@ -25,8 +26,8 @@ struct Law {
   using Rolling = RollingPart;
 };
 
-using Parts = List<Hertz, Sliding, Epsd3>;
-using Laws = List<Law<Hertz, Sliding, Epsd3>>;
+using Parts = List<Hertz, Linear, Sliding, Epsd3>;
+using Laws = List<Law<Hertz, Sliding, Epsd3>, Law<Linear, Sliding, Epsd3>>;
 
 /// Calls visit(Law) for the law number `index` of the list and returns its result.
 template <typename First, typename... Rest, typename Visit>
