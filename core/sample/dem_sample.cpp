@@ -61,8 +61,7 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
 }
 
 void DemSample::inspect_time_step() {
-  if (steps_ < next_inspection_) return;
-  next_inspection_ = steps_ + time_step_interval;
+  since_inspection_ = 0;
   check_contact_time_step(engine_.save(), settings().material, settings().time_step);
 }
 
@@ -95,7 +94,8 @@ CellStress DemSample::strain(const LocalRun& run) {
   shear_strain_ += run.rate.shear * run.duration();
   time_ += run.duration();
   steps_ += run.steps;
-  inspect_time_step();
+  since_inspection_ += run.steps;
+  if (since_inspection_ >= time_step_interval) inspect_time_step();
   clock_ticks_ += std::clock() - start;
   return stress_;
 }
@@ -148,7 +148,7 @@ void DemSample::restore(const SampleState& state) {
   engine_.load(*state.grains, settings);
   shear_strain_ = shear_strain;
   time_ = time;
-  next_inspection_ = steps_ = steps;
+  steps_ = steps;
   constexpr double a_century = 3.2e9;  // s; no run takes longer
   clock_ticks_ = static_cast<std::clock_t>(std::clamp(processor_seconds, 0.0, a_century) * CLOCKS_PER_SEC);
   stress_ = stress;  // before its first step an engine may round the stress differently

@@ -68,7 +68,7 @@ class DemSample : public Sample {
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::clock_t clock_ticks_ = 0;
-  std::int64_t next_inspection_ = 0;  ///< number of the step at which inspect_time_step acts next
+  std::int64_t since_inspection_ = 0;  ///< steps since the last check of the time step; `restore` does not change it
   CellStress stress_;
 };
 
