@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figures 6 and 7, drawn for fig06.gp and fig07.gp: two inertial numbers in columns; stress path, stress-strain response
-# and velocity in rows. Colours are dt_G. `ways` are names of ways to pass strain on, each followed by its dash type: the
-# first is drawn with every dt_G, the others with the largest and the smallest. `way_label` has their labels.
+# The panels of Figures 6 and 7; fig06.gp and fig07.gp load this file. Columns: two inertial numbers. Rows: stress path,
+# stress-strain response and velocity. Colours: dt_G. `ways` lists the rules that pass strain, each followed by its dash
+# type. The first rule is shown with every dt_G, the others with the largest and the smallest. `way_label` has their
+# labels.
 steps = "1e-3 1e-4 1e-5 1e-6"
 level(c) = c == 1 ? "low" : "high"
 way(w) = word(ways, 2*w - 1)
 dash(w) = int(word(ways, 2*w))
 ways_drawn = words(ways)/2
-# The curves of a panel: the way and the dt_G of each, by their numbers.
+# The curves of a panel: for each the number of its rule and the number of its dt_G.
 curves = "1 1 1 2 1 3 1 4"
 do for [w = 2:ways_drawn] { curves = curves.sprintf(" %d 1 %d 4", w, w) }
 curves_drawn = words(curves)/2

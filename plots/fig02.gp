@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 2: the sample (A) at the end of preparation, (B) during shear; the glued layers are dark.
-# Tables: circles from back to front, then the edges of the cell, two ends each: where they are (across, up, m), radius
-# (m; 0 of an edge), shade (0 dark to 1 bright), part (see below).
+# Tables: circles from back to front, then the edges of the cell with their two ends. Columns: position (across, up, m),
+# radius (m; 0 for an edge), shade (0 dark to 1 bright), part (see below).
 tables = "fig02_before.dat fig02_during.dat"
 command = "./reproduce fig02"
 script = ARG0; folder = ARG1; picture = ARG2
@@ -9,15 +9,15 @@ here = script[1:strlen(script) - strlen("fig02.gp")]
 load here."style.gp"
 
 array title[2] = ["end of preparation", "during shear"]
-# Parts. One table holds all, as gnuplot 5.4 reads the names of the columns again from each block (index) of a file.
+# Parts. One block of a table holds all parts, because gnuplot 5.4 expects column names in each block (index) of a file.
 free = 0; edge_in_front = 3; edge_behind = 4   # 1 and 2 are glued grains
 is_grain(part) = part < edge_in_front
 across_of(part) = column("part") == part ? column("across") : NaN
-# Free grains light, glued ones dark, both brighter towards their highlight.
+# Free grains are light, glued grains dark; both are brighter towards their highlight.
 grey_level(shade, part) = int(part == free ? 105 + 140 * shade : 15 + 80 * shade)
 rgb(shade, part) = 0x010101 * grey_level(shade, part)
 
-# One frame for both pictures, so that they have one scale: it holds all circles and edges.
+# Both pictures have the same frame, and so the same scale. It contains all circles and edges.
 left = 1e9; right = -1e9; bottom = 1e9; top = -1e9
 do for [table in tables] {
   stats data(table) using (column("across") - column("radius")) name "L" nooutput

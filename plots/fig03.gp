@@ -10,7 +10,7 @@ load here."style.gp"
 array colour[4] = [vermillion, orange, sky, blue]
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
-# Drawn thin, from the second on. A loop over none runs once: it then draws the first again, which does not show.
+# Replicates from the second on are thin. Without them the loop still runs once and plots the first again, unseen.
 thin(i, r) = r > replicates(word(points, i)) ? table(i) : replicate_file(word(points, i), r)
 threshold = 1e-3   # of the inertial number: a flow is quasi-static well below it
 
@@ -25,7 +25,7 @@ do for [format in "png pdf"] {
   set title panel("A", "stress path")
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
-  set xrange [0:30]; set yrange [0:*]   # the paper's range: what regains more than it began with leaves the frame
+  set xrange [0:30]; set yrange [0:*]   # the range of the paper: a sample that regains more strength leaves the frame
   set offsets 0, 0, graph 0.1, 0        # room for the key
   set key at graph 0, 1.02 left top Left reverse
   plot for [i = 1:4] table(i) using (kilo * column("normal_stress")):(kilo * column("shear_stress")) \
@@ -61,7 +61,7 @@ do for [format in "png pdf"] {
     with lines linewidth 1.2 linecolor rgb colour[i] notitle
   unset arrow 1; unset label 1; unset logscale y; set format y "% h"
 
-  # The inset of B: where the low-strength samples begin to regain it, at large strain, below 1 kPa.
+  # The inset of B: below 1 kPa, at large strain, where the weakest samples begin to regain strength.
   set lmargin at screen 0.455; set rmargin at screen 0.62
   set bmargin at screen 0.66; set tmargin at screen 0.89
   unset title; unset xlabel; unset ylabel

@@ -11,7 +11,7 @@ array colour[2] = [blue, vermillion]
 array mark[2] = [6, 4]
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
-# Some thirty marks a curve, so that the line below stays visible.
+# About thirty marks per curve, so that the line below stays visible.
 array step[2]
 do for [i = 1:2] {
   records = rows(word(points, i).".dat")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 7: the same by eq. 18 as printed, and beside it with its remainder carried and by eq. 17.
+# Figure 7: like Figure 6, coupled by eq. 18 as printed, by eq. 18 with its remainder carried, and by eq. 17.
 command = "./reproduce fig07"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig07.gp")]

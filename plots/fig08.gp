@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 8: triggering at 1e3 kPa/min, RD against RI: (A) stress path, (B) shear stress, (C) velocity, (D) inertial
 # number.
-# Lines are one sample by both schemes; bands are all replicates. Marks: the peak of tau.
+# Lines: one sample with both schemes. Bands: all replicates. Marks: the peak of tau.
 slides = "RD_ramp.dat RI_ramp.dat"; bands = "RD_ramp_over_time.dat RI_ramp_over_time.dat"
 tables = slides." ".bands." peaks.dat"
 command = "./reproduce fig08"

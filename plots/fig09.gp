@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 9: the liquefied state under a driving stress that is held: (A) normal stress, (B) friction tau/sigma, median
-# and range of the replicates, with the mean mu_ss beyond 50 % strain as a line.
+# Figure 9: the liquefied state under a constant driving stress: (A) normal stress, (B) friction tau/sigma. Median and
+# range of the replicates. Line in B: mu_ss, the mean beyond 50 % strain.
 bands = "RD_hold_over_shear_strain.dat RI_hold_over_shear_strain.dat"
 frictions = "RD_hold_friction_band.dat RI_hold_friction_band.dat"
 tables = bands." ".frictions." steady_friction.dat"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 10: profiles over the height of the sample by RD, before and after liquefaction, median and range of the
-# replicates: (A) velocity, (B) shear stress, (C) normal stress.
+# Figure 10: profiles over the height of the sample with RD, before and after liquefaction: (A) velocity, (B) shear
+# stress, (C) normal stress. Median and range of the replicates.
 tables = "RD_ramp_profiles_band.dat legend.txt"
 command = "./reproduce fig10"
 script = ARG0; folder = ARG1; picture = ARG2
@@ -16,11 +16,11 @@ array shown[3] = ["velocity", "shear stress", "normal stress"]
 array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", \
   "⟨{/:Italic τ}⟩ / {/:Italic τ}", "⟨{/:Italic σ}⟩ / {/:Italic σ}"]
 names = names_in("RD_ramp_profiles_band.dat")
-# A run that ends before the strain of a profile has none.
+# A run that ends before the strain of a profile has no such profile.
 profile(q, i, of) = optional(names, sprintf("%s_%d_%s", word(quantities, q), i, of))
-inner(q) = q == 1 ? 0 : 1   # the outer sublayers lie partly behind the glued layers: no stress of theirs is shown
+inner(q) = q == 1 ? 0 : 1   # hides the stress of the outer sublayers, which overlap the glued layers
 last_layer = rows("RD_ramp_profiles_band.dat") - 1
-within(value) = value < -0.5 ? -0.5 : value > 2.5 ? 2.5 : value   # what leaves the frame, leaves it by this
+within(value) = value < -0.5 ? -0.5 : value > 2.5 ? 2.5 : value   # limits the distance by which a curve leaves the frame
 
 do for [format in "png pdf"] {
   eval terminal(format, 18, 6.6)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 13: runout at several hydraulic conductivities k: sliding velocity by (A) RD and (B) RI, thin each sample,
-# thick their median as far as all of them slide; (C) excess pore pressure, medians of means over 1/25 of the distance;
-# (D) largest velocity over k with the range of the samples, and between which k RI begins to feel it (grey).
+# Figure 13: runout at several hydraulic conductivities k. (A) Sliding velocity with RD and (B) with RI; thin: each
+# sample; thick: the median, up to the displacement that all samples reach. (C) Excess pore pressure: medians of means
+# over 1/25 of the distance. (D) Largest velocity over k, with the range of the samples; grey: the interval of k in
+# which drainage begins to slow RI.
 conductivities = "0 5e-6 1e-5 2e-5 4e-5 1e-4"
 slide(scheme, i) = scheme."_".word(conductivities, i)
 slides = ""; bands = ""; coarse_bands = ""
@@ -18,7 +19,7 @@ script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig13.gp")]
 load here."style.gp"
 names = names_in("sweep.dat")
-largest(s, of) = optional(names, s."_largest_velocity_".of)   # a run that is too short has none
+largest(s, of) = optional(names, s."_largest_velocity_".of)   # missing if the runs are too short
 
 array colour[6] = [black, purple, blue, sky, orange, vermillion]
 median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
@@ -61,7 +62,7 @@ do for [format in "png pdf"] {
   set ylabel "{/:Italic v}_{max} (m/s)" offset 1
   set xrange [-0.5:10.5]; set yrange [0:3.5]
   set key at graph 1.0, 1.0 right top notitle
-  if (lower == lower) {   # else there is no critical k: it is not a number
+  if (lower == lower) {   # false for NaN: there is no critical k
     set object 1 rectangle from first tens * lower, graph 0 to first tens * upper, graph 1 \
       fillcolor rgb grey fillstyle solid 0.25 noborder behind
   }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 14: runout on samples of four void ratios: sliding velocity by (A) RD and (B) RI, thin each sample, thick their
-# median as far as all of them slide; (C) excess pore pressure, medians of means over 1/25 of the distance; (D) largest
-# velocity over the void ratio, with the range of the samples.
+# Figure 14: runout on samples of four void ratios. (A) Sliding velocity with RD and (B) with RI; thin: each sample;
+# thick: the median, up to the displacement that all samples reach. (C) Excess pore pressure: medians of means over 1/25
+# of the distance. (D) Largest velocity over the void ratio, with the range of the samples.
 void_ratios = "790 771 765 751"   # loose to dense
 slide(scheme, i) = scheme."_e0_".word(void_ratios, i)
 slides = ""; bands = ""; coarse_bands = ""
@@ -18,10 +18,10 @@ script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig14.gp")]
 load here."style.gp"
 names = names_in("sweep.dat")
-largest(s, of) = optional(names, s."_largest_velocity_".of)   # a run that is too short has none
+largest(s, of) = optional(names, s."_largest_velocity_".of)   # missing if the runs are too short
 void_ratio = "RD_initial_void_ratio_median"
 
-# gnuplot 5.4 crashes when it draws labels all of which are undefined: a missing column stands outside the frame.
+# gnuplot 5.4 crashes if all labels of a plot are undefined. A missing column therefore gets a value outside the frame.
 or_outside(name) = name eq "" ? -1 : column(name)
 paper_text(name) = name eq "" ? "" : sprintf("%.3f", column(name))
 
@@ -64,7 +64,7 @@ do for [format in "png pdf"] {
   set xrange [*:*]; set yrange [0:3.5]
   set offsets graph 0.2, graph 0.08, 0, 0
   set key at graph 0.02, 1.0 left top Left reverse notitle
-  # Without values, or with one void ratio alone, as of a closed-form sample, there is no range to choose.
+  # Without values, or with one void ratio only (a closed-form sample), there is no range.
   one = first_of("sweep.dat", void_ratio); mean = mean_of("sweep.dat", void_ratio)
   if (largest("RD", "median") eq "" || one != one || abs(one - mean) < 1e-6) {
     set xrange [(one == one ? one - 0.05 : 0.7):(one == one ? one + 0.05 : 0.9)]

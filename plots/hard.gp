@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# The time step over the edge of stability: (A) the peak of the shear stress over that of a refined run, as a code
-# without any check computes it, each sample; (B) the same over the share of the edge by the stiffness of the contacts.
+# Time steps beyond the limit of stability, without any check of the time step. (A) Peak of the shear stress over that
+# of a refined run, one mark per sample. (B) The same over dt_L as a fraction of the limit given by the contact
+# stiffness.
 tables = "time_step_details.dat"
 command = "./reproduce hard"
 script = ARG0; folder = ARG1; picture = ARG2

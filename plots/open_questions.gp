@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What the paper left open, glued layers beside homogeneous shear across periodic faces: (A) profile of the velocity,
-# (B) largest velocity over the size of the sample, (C) mu(I) of steady shear, fitted, and of glass beads.
+# What the paper left open: glued layers compared with homogeneous shear across periodic faces. (A) Velocity profile,
+# (B) largest velocity over the size of the sample, (C) mu(I) of steady shear with its fit, and mu(I) of glass beads.
 tables = "hold_glued_profiles_band.dat hold_homogeneous_profiles_band.dat sizes_glued.dat sizes_homogeneous.dat ".\
   "mu_of_I_loose.dat mu_of_I_middle.dat mu_of_I_dense.dat mu_of_I_laws.dat"
 command = "./reproduce open_questions"

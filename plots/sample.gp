@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# The sample of Fig. 2 at the end of preparation: (A) void ratios of slices across the three axes, with the band in which
-# those of a random packing lie (two standard deviations), (B) radial distribution function, (C) numbers of contacts.
+# The sample of Fig. 2 at the end of preparation: (A) void ratios of slices across the three axes; band: two standard
+# deviations of a random packing; (B) radial distribution function; (C) distribution of the number of contacts.
 tables = "fig02_slices_x.dat fig02_slices_y.dat fig02_slices_z.dat fig02_distances.dat fig02_contacts.dat"
 command = "./reproduce fig02_sample"
 script = ARG0; folder = ARG1; picture = ARG2

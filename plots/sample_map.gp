@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What a recipe gives: (A) void ratio of the inner part, away from the planes, over the friction of stages 1 to 3, a line
-# for each drag, or for each restitution of samples without drag; (B) peak of the shear stress of the same samples,
-# sheared undrained, over that void ratio, with the stress tau_0 + 3 kPa that the pulse of Figs. 11 to 14 reaches; (C) the
-# same over the coordination number.
+# Void ratio and strength of samples by their recipe. (A) Void ratio away from the planes over the friction of stages
+# 1 to 3, with one line per drag (without drag: per restitution). (B) Peak shear stress of the same samples in
+# undrained shear over that void ratio; line: tau_0 + 3 kPa, the stress that the pulse of Figs. 11 to 14 reaches. (C)
+# The same over the coordination number.
 tables = "curves.dat"
 command = "scripts/sample_map"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("sample_map.gp")]
 load here."style.gp"
-peak = optional(names_in("curves.dat"), "peak_shear_stress")   # a sample that only dilates has none
+peak = optional(names_in("curves.dat"), "peak_shear_stress")   # a sample that only dilates has no peak
 by_drag = words(values_of("curves.dat", "preparation_drag")) > 1
 second = by_drag ? "preparation_drag" : "preparation_restitution"
 lines = values_of("curves.dat", second)
 lines_are = by_drag ? "drag {/:Italic c} (kg/s)" : "restitution"
-array colour[6] = [black, purple, blue, sky, orange, vermillion]
+array colour[6] = [orange, vermillion, purple, blue, sky, black]
 set datafile missing NaN
 of(line, x) = column(second) == line ? x : NaN
 map = data("curves.dat")
@@ -29,27 +29,33 @@ do for [format in "png pdf"] {
   set xlabel "friction of the preparation μ_1"
   set ylabel "void ratio {/:Italic e}"
   set xtics 0.2
-  unset key
+  set format y "%.2f"
+  set key bottom right reverse Left title lines_are
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column("preparation_friction"))): \
          (column("initial_bulk_void_ratio")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
 
-  set xtics 0.02
+  unset key
+  set xtics 0.04
+  set format x "%.2f"
+  set format y "%g"
   set ylabel "peak of τ (kPa)"
   set yrange [0:20]
   set arrow 1 from graph 0, first pulse to graph 1, first pulse nohead dashtype 2 linecolor rgb grey
-  set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, 0.5
+  set label 1 "pulse of 3 kPa" at graph 0.02, first pulse left offset 0, -0.7
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column("initial_bulk_void_ratio"))):(kilo * column(peak)) \
          with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1]
   set title panel("C", "strength over contacts")
   set xlabel "coordination number without rattlers"
-  set xtics 0.2
-  set key top left reverse Left title lines_are
+  set xtics 0.4
+  set format x "%.1f"
+  set label 1 "pulse of 3 kPa" at graph 0.98, first pulse right offset 0, -0.7
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column("mechanical_coordination_number"))): \
-         (kilo * column(peak)) with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
+         (kilo * column(peak)) with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1]
   unset label 1; unset arrow 1
   set yrange [*:*]
+  set format x "%g"
   unset multiplot
   set output
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Speed against error: for (A) the element test, (B) the trigger and (C) the pulse, the time that a setting takes on one
-# core against the largest of its errors over the spread over seeds. Grey: below that spread. Line: the settings that no
-# other beats in both. Open: other samples and RI, which do not compete. Dashed: LIGGGHTS at the paper's settings.
+# Speed against error for (A) the element test, (B) the trigger and (C) the pulse: time of a setting on one core over
+# its largest error, relative to the spread over seeds. Grey: errors below this spread. Line: settings for which no
+# other is both faster and more accurate. Open marks: other samples and RI, which do not compete. Dashed: LIGGGHTS at
+# the paper's settings.
 tables = "paper.dat"
 do for [s in "element trigger pulse"] { tables = tables." errors_".s.".dat ".s."_front.dat" }
 command = "./reproduce speed_error"
@@ -34,7 +35,7 @@ do for [format in "png pdf"] {
   eval terminal(format, 18, 10.5)
   set output picture.".".format
   set multiplot layout 1, 3
-  set bmargin 11.5   # the same for all, whatever their keys hold
+  set bmargin 11.5   # the same for all panels, whatever the length of their keys
   set xlabel "time on one core (s)"
   do for [s = 1:3] {
     set title panel(word("A B C", s), title[s])
@@ -51,7 +52,7 @@ do for [format in "png pdf"] {
     }
     present = ""
     do for [i = 1:15] { if (has(s, i)) { present = present." ".i } }
-    if (present eq "") {   # nothing of that scene has been run
+    if (present eq "") {   # no run of this scene has a result
       plot data(word(fronts, s)) using (NaN):(NaN) notitle
     } else {
       plot for [k in present] data(word(errors, s)) using (seconds_of(k + 0)):(column("error_over_spread")) \

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What every figure shares. A script sets `tables` (the files it reads, separated by spaces) and `command` (what makes
-# them) and its arguments (`script`, `folder`, `picture`: loading a file forgets ARG0 and on), then loads this file. It
-# is called as `gnuplot -c plots/figNN.gp DATADIR OUTPUT` and writes OUTPUT.png and OUTPUT.pdf; it draws what the tables
-# hold and computes nothing but units.
+# Settings and functions that all figures share. A script is called as `gnuplot -c plots/figNN.gp DATADIR OUTPUT` and
+# writes OUTPUT.png and OUTPUT.pdf. It plots the tables and converts units; it computes nothing else. Before it loads
+# this file it sets `tables` (the files that it reads, separated by spaces), `command` (the command that makes them)
+# and its arguments `script`, `folder` and `picture` (`load` replaces ARG0 and the following).
 
 if (picture eq "") {
   print sprintf("usage: gnuplot -c %s DATADIR OUTPUT   (writes OUTPUT.png and OUTPUT.pdf)", script)
   exit status 2
 }
-# The first line of a table names its columns. A script writes column("time"), or column(EXPRESSION) with a name as value.
+# The first line of a table names its columns: column("time"), or column(EXPRESSION) if EXPRESSION gives a name.
 set datafile columnheaders
-# A folder so_far (see --so-far) need not have all tables: curves that are not there yet are left out. path(NAME) is the
-# table itself. data(NAME) is what is drawn of it: of a table without rows, of which gnuplot complains, a row of NaN.
+# A folder so_far (see --so-far) may lack tables; their curves are left out. path(NAME) is the table. data(NAME) is the
+# data to plot: the table, or a row of NaN for a table without rows, about which gnuplot would complain.
 so_far = folder eq "so_far" || strlen(folder) > 6 && folder[strlen(folder) - 6:*] eq "/so_far"
 path(name) = so_far && !readable(folder."/".name) ? "/dev/null" : folder."/".name
 data(name) = rows(name) > 0 ? path(name) : "< ".awk("blank", "", name)
-# A script that sets `beside`, its third argument, can draw the results of another run of the same points, dashed.
+# With `beside`, its third argument, a script also plots the results of the same points in another folder, dashed.
 if (!exists("beside")) beside = ""
 others = beside eq "" ? 0 : 1
 other(name) = (others ? beside : folder)."/".name
@@ -30,7 +30,7 @@ do for [table in tables] {
   }
 }
 
-# What table.awk says of some tables, which are named with blanks between.
+# The answer of table.awk about some tables, whose names are separated by blanks.
 paths(tables, i) = i > words(tables) ? "" : shell_quoted(path(word(tables, i)))." ".paths(tables, i + 1)
 awk(what, options, tables) = \
   sprintf("LC_ALL=C awk -f %s -v ask=%s %s %s", shell_quoted(here."table.awk"), what, options, paths(tables, 1))
@@ -46,24 +46,25 @@ number_in(text) = text eq "" ? NaN : real(text)
 first_of(table, name) = number_in(asked("first", "-v name=".name, table))
 first_where(table, name, key, value) = \
   number_in(asked("first", sprintf("-v name=%s -v key=%s -v is=%s", name, key, shell_quoted(value)), table))
-values_of(table, name) = asked("values", "-v name=".name, table)   # those that differ, with blanks between
+values_of(table, name) = asked("values", "-v name=".name, table)   # the different ones, separated by blanks
 mean_of(table, name) = number_in(asked("mean", "-v name=".name, table))
-# Columns that a table need not have, such as a profile that a run did not come to: with names = names_in(TABLE),
-# column(optional(names, NAME)) draws nothing where NAME is missing. Of column("") gnuplot does not complain.
+# Columns that a table may lack, such as a profile at a strain that a run did not reach: with names = names_in(TABLE),
+# column(optional(names, NAME)) plots nothing if NAME is missing. gnuplot does not complain about column("").
 names_in(table) = asked("names", "", table)
 optional(names, name) = strstrt(names, " ".name." ") > 0 ? name : ""
-# The same for a column of text, of which strcol() ends the script where it is missing.
+# The same for a column of text: strcol() would end the script if the column is missing.
 text_in(names, name) = optional(names, name) eq "" ? "" : strcol(name)
-# frame(TABLES, RANGES): to be evaluated before a panel of tables that may have no rows, as gnuplot refuses to draw nothing
-# in a frame of its own choice. RANGES are commands such as "set yrange [0:1]".
+# frame(TABLES, RANGES): evaluate it before a panel whose tables may have no rows, because gnuplot cannot choose the
+# range of an empty panel. RANGES are commands such as "set yrange [0:1]".
 frame(tables, ranges) = rows(tables) > 0 ? "" : ranges
-# The files of all replicates of a slide, one after the other: replicate_file(SLIDE, 1) and on, to replicates(SLIDE).
+# The tables of the replicates of a slide: replicate_file(SLIDE, 1) to replicate_file(SLIDE, replicates(SLIDE)).
 replicate(slide, r) = slide.(r == 1 ? "" : sprintf("_r%d", r)).".dat"
 replicate_file(slide, r) = data(replicate(slide, r))
 replicates_from(slide, r) = readable(path(replicate(slide, r + 1))) ? replicates_from(slide, r + 1) : r
 replicates(slide) = replicates_from(slide, 1)
 
-# Labels of the curves: DATADIR/legend.txt, lines of `point<TAB>label`. A point that it does not name keeps its own name.
+# Labels of the curves, from the lines `point<TAB>label` of DATADIR/legend.txt. Without a line, the label is the name
+# of the point.
 label_of(point) = asked("label", "-v wanted=".shell_quoted(point), "legend.txt")
 
 other_label = others ? "dashed: ".system("basename -- ".shell_quoted(beside)) : ""
@@ -73,13 +74,13 @@ percent = 100.0   # strain to %
 
 set encoding utf8
 set minussign
-# width and height in cm; the PNG has 80 pixels a cm (203 dpi), the PDF the same proportions.
+# Width and height in cm. The PNG has 80 pixels per cm (203 dpi); the PDF has the same proportions.
 terminal(format, width, height) = format eq "png" \
   ? sprintf("set terminal pngcairo enhanced size %d,%d font 'DejaVu Sans,8' fontscale 2.0 linewidth 2 background 'white'", \
             80 * width, 80 * height) \
   : sprintf("set terminal pdfcairo enhanced size %gcm,%gcm font 'DejaVu Sans,8' fontscale 0.7 linewidth 1", width, height)
 
-# Okabe and Ito's palette: told apart with any colour vision, and by lightness in print.
+# Palette of Okabe and Ito: distinguishable with any colour vision, and by lightness in print.
 blue = 0x0072B2; vermillion = 0xD55E00; green = 0x009E73; purple = 0xCC79A7; orange = 0xE69F00; sky = 0x56B4E9
 black = 0x000000; grey = 0x808080
 
@@ -90,7 +91,7 @@ panel(letter, title) = sprintf("{/:Bold %s}  %s", letter, title)
 set title offset 0, -0.4
 set style fill transparent solid 0.22 noborder   # of bands
 
-# A study with settings that are not those of the case says so above each figure.
+# If settings differ from those of the case, a line above each figure says so.
 if (readable(folder."/changes.txt")) {
   changed = system("paste -sd ';' ".shell_quoted(folder."/changes.txt")." | sed 's/;/; /g'")
   set label 100 "changed: ".(strlen(changed) > 100 ? changed[1:100]." ... (changes.txt)" : changed) at screen 0.005, screen 0.985 \

@@ -20,7 +20,7 @@ void refuse_old_keys(const Configuration& configuration) {
   configuration.refuse_renamed("shear.time_step", "coupling.local_time_step");
   configuration.refuse_renamed("shear.final_strain", "point.<name>.final_strain");
   for (const std::string key : {"rows", "shear_rate", "inertial_number"})
-    configuration.refuse_renamed("shear." + key, "element_test." + key);
+    configuration.refuse_renamed("shear." + key, "shear_test." + key);
   for (const std::string& name : configuration.subtables("point"))
     configuration.refuse_renamed("point." + name + ".time_step", "point." + name + ".coupling.local_time_step");
 }

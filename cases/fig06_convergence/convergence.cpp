@@ -13,7 +13,7 @@ namespace {
 
 constexpr double compared_to = 5e-3;  ///< curves are compared up to this strain
 constexpr int windows = 20;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Means of a column over equal windows of an abscissa from 0 to `end`. Shape (windows); empty if the run ends before.
 std::vector<double> means_of(const Result& result, const char* column, const char* abscissa, double end) {
@@ -38,7 +38,7 @@ double sum_of_squares(const std::vector<double>& values) {
 
 /// RMS of the difference / RMS of the reference; NaN if one of them is empty.
 double relative_difference(std::vector<double> values, const std::vector<double>& reference) {
-  if (values.empty() || reference.empty()) return nothing;
+  if (values.empty() || reference.empty()) return undefined;
   for (int window = 0; window < windows; ++window) values[window] -= reference[window];
   return std::sqrt(sum_of_squares(values) / sum_of_squares(reference));
 }
@@ -63,7 +63,7 @@ std::vector<double> errors_of(const Ensemble& ensemble, const Ensemble& alone) {
 }
 
 double least_ratio(const Errors& errors) {
-  double least = std::numeric_limits<double>::infinity(), before = nothing;
+  double least = std::numeric_limits<double>::infinity(), before = undefined;
   for (const auto& [time_step, error] : errors) {
     if (!std::isnan(before)) least = std::min(least, error / before);
     before = error;
@@ -104,7 +104,7 @@ void compare_passings(const std::map<std::string, Errors>& high, double spread,
 
 /// Largest error of slides with another n_accum ("carry<n>") against those of "carry".
 double n_accum_difference(const Ensembles& slides) {
-  double largest = nothing;
+  double largest = undefined;
   for (const auto& [name, ensemble] : slides) {
     if (!passing_of(name).starts_with("carry") || passing_of(name) == "carry") continue;
     for (const auto& [first_name, first] : slides)
@@ -154,7 +154,7 @@ double relative_spread(const Ensemble& ensemble) {
     std::vector<double> samples;
     for (const Result& result : ensemble)
       if (const auto all = stresses(result); !all.empty()) samples.push_back(all[window]);
-    if (samples.size() < 2) return nothing;
+    if (samples.size() < 2) return undefined;
     const Statistics all = statistics_of(samples);
     deviations.push_back(all.deviation);
     means.push_back(all.mean);

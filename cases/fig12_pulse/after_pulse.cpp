@@ -8,7 +8,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -16,13 +16,13 @@ std::vector<Metric> after_pulse(const SlideOutcome& outcome) {
   const SlideSettings& settings = outcome.point.settings;
   const Series& over_time = outcome.measures.over_time;
   const auto* pulse = std::get_if<SinePulse>(&settings.loading);
-  const double after = pulse != nullptr ? pulse->duration : nothing;
+  const double after = pulse != nullptr ? pulse->duration : undefined;
   const double end = end_of(over_time), middle = end - 0.5 * velocity_window;  // centre of the last window
   const double first = velocity_at(over_time, after), last = velocity_at(over_time, middle);
   const double free = initial_shear_stress(settings.slope) / mass_per_area(settings.slope);
-  const double share = middle > after ? (last - first) / (middle - after) / free : nothing;
+  const double share = middle > after ? (last - first) / (middle - after) / free : undefined;
   const auto mean_after = [&](const char* column) {
-    return pulse != nullptr ? mean_over(over_time, column, after, end) : nothing;
+    return pulse != nullptr ? mean_over(over_time, column, after, end) : undefined;
   };
   return {{"final_velocity", last, "m/s", "sliding velocity at the end, as a mean over 0.1 s"},
           {"acceleration_share", share, "1", "mean acceleration after the pulse over tau_d/m"},

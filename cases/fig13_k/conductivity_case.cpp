@@ -4,7 +4,6 @@
 #include "critical_conductivity.hpp"
 #include "program/runout.hpp"
 #include "record/gnuplot_table.hpp"
-#include "run/legend.hpp"
 
 namespace flowslide {
 
@@ -33,20 +32,11 @@ std::vector<std::string> ConductivityCase::tables() const {
 void ConductivityCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   const Ensembles slides = results_in(output.path(), points_in(output));
-  Legend legend;
-  for (const auto& [name, ensemble] : slides) {
-    if (!are_slides(ensemble)) continue;
-    write_table(output.file(name + "_coarse.dat"),
-                {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
-    legend.add(name, label_of_quantity(parameter_of(ensemble, "hydraulic_conductivity")));
-  }
-  const Column axis{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}};
-  const auto over_k = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
-  const Series sweep = sweep_series(axis, {{"RD", over_k("RD_")}, {"RI", over_k("RI_")}},
-                                    {"largest_velocity", "runout", "sliding_stopped"});
-  write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
+  write_sweep(output, description().name, slides,
+              {{"hydraulic_conductivity", "k", "m/s", "hydraulic conductivity", "", {}},
+               {"largest_velocity", "runout", "sliding_stopped"},
+               label_of_quantity});
   write_table(output.file("critical.dat"), {{{"case", description().name}}, critical_series(slides)});
-  legend.write(output);
 }
 
 }  // namespace flowslide

@@ -11,7 +11,7 @@ namespace flowslide {
 namespace {
 
 constexpr double lost_share = 0.5;  ///< limit of |v/v(k = 0) - 1|: half way between sliding as at k = 0 and standing
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> parameters_of(const std::vector<SweepMember>& sweep) {
   std::vector<double> parameters;
@@ -38,7 +38,7 @@ std::vector<SweepMember> sweep_over_k(const Ensembles& slides, const char* prefi
 /// |v/v(k = 0) - 1| for the median velocities at the end of the pulse; NaN without k = 0.
 std::vector<double> changes(const std::vector<SweepMember>& sweep) {
   std::vector<double> all = medians_along(sweep, "velocity_after_pulse");
-  const double first = sweep.empty() || sweep.front().parameter != 0.0 ? nothing : all.front();
+  const double first = sweep.empty() || sweep.front().parameter != 0.0 ? undefined : all.front();
   for (double& value : all) value = std::abs(value / first - 1.0);
   return all;
 }
@@ -64,7 +64,7 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
   std::list<Ensemble> kept;
   const auto own = sweep_on_sample(sweep, first, kept);
   const std::vector<double> change = changes(own);
-  CriticalConductivity critical{nothing, nothing};
+  CriticalConductivity critical{undefined, undefined};
   for (std::size_t i = 0; i < own.size() && change[i] <= lost_share; ++i) critical.lower = own[i].parameter;
   for (std::size_t i = own.size(); i-- > 0 && change[i] > lost_share;) critical.upper = own[i].parameter;
   return critical;
@@ -77,7 +77,7 @@ void compare_conductivities(const Ensembles& slides, std::map<std::string, doubl
   add_critical(ri, metrics);
   if (!metrics.contains("critical_conductivity")) return;
   const std::vector<double> change = changes(ri);
-  double below = nothing, stopped = nothing;
+  double below = undefined, stopped = undefined;
   for (std::size_t i = 0; i < ri.size(); ++i) {
     const double k = ri[i].parameter;
     if (k > 0.0 && k < metrics.at("critical_conductivity")) below = std::fmax(below, change[i]);

@@ -6,8 +6,6 @@
 #include "input/read_samples.hpp"
 #include "mobility.hpp"
 #include "program/runout.hpp"
-#include "record/gnuplot_table.hpp"
-#include "run/legend.hpp"
 
 namespace flowslide {
 
@@ -48,21 +46,10 @@ std::vector<std::string> VoidRatioCase::tables() const {
 
 void VoidRatioCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  const Ensembles slides = results_in(output.path(), points_in(output));
-  Legend legend;
-  for (const auto& [name, ensemble] : slides) {
-    if (!are_slides(ensemble)) continue;
-    write_table(output.file(name + "_coarse.dat"),
-                {{{"case", description().name}, {"slide", name}}, coarse_band(ensemble)});
-    legend.add(name, fmt::format("{:.3f}", parameter_of(ensemble, "paper_void_ratio")));
-  }
-  const Column axis{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}};
-  const std::vector<std::string> metrics{"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress",
-                                         "largest_velocity", "runout"};
-  const auto over_void_ratio = [&](const char* prefix) { return sweep_of(slides, prefix, axis.name); };
-  const Series sweep = sweep_series(axis, {{"RD", over_void_ratio("RD_")}, {"RI", over_void_ratio("RI_")}}, metrics);
-  write_table(output.file("sweep.dat"), {{{"case", description().name}}, sweep});
-  legend.write(output);
+  write_sweep(output, description().name, results_in(output.path(), points_in(output)),
+              {{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}},
+               {"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress", "largest_velocity", "runout"},
+               [](double void_ratio) { return fmt::format("{:.3f}", void_ratio); }});
 }
 
 }  // namespace flowslide

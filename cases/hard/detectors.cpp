@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments.hpp"
 #include "grains/time_step_share.hpp"
 #include "sample/failure.hpp"
 #include "sample/health.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 constexpr std::int64_t steps_at_rest = 3000;
 constexpr double kinetic_alarm = 1e-7;     ///< ten times the tolerance of a preparation
-constexpr double energy_tolerance = 0.05;  ///< fraction of the work, which is integrated over few looks
+constexpr double energy_tolerance = 0.05;  ///< fraction of the work, which is integrated over few readings
 
 bool overlaps(const Assembly& assembly) {
   try {
@@ -43,20 +42,21 @@ Assembly with_linear_field(Assembly assembly, double rate) {
 
 }  // namespace
 
-PlainRun plain_run(Engine& engine, const Assembly& sample, const EngineSettings& settings, double rate, double strain,
-                   int looks) {
-  PlainRun run;
+UncheckedRun run_unchecked(Engine& engine, const Assembly& sample, const EngineSettings& settings,
+                           const Shearing& shearing) {
+  const auto [rate, strain, readings] = shearing;
+  UncheckedRun run;
   run.rest_alarm = moves_at_rest(engine, sample, settings);
   const Assembly start = with_linear_field(sample, rate);
   engine.load(start, settings);
   BoundaryMotion motion;
   motion.top_velocity.x() = rate * start.cell.height();
   engine.move(motion);
-  const auto steps = static_cast<std::int64_t>(std::llround(strain / (rate * settings.time_step * looks)));
+  const auto steps = static_cast<std::int64_t>(std::llround(strain / (rate * settings.time_step * readings)));
   const double volume = start.cell.volume(), first_energy = energy_of(start, settings.material);
   run.largest_share = time_step_share(sample, settings.material, settings.time_step);
   double work = 0.0, before = engine.cell_stress().shear;
-  for (int look = 0; look < looks && !run.lost; ++look) {
+  for (int reading = 0; reading < readings && !run.lost; ++reading) {
     engine.run(steps);
     const double now = engine.cell_stress().shear;
     const Assembly assembly = engine.save();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include "dem/engine.hpp"
+#include "experiments.hpp"
 
 namespace flowslide {
 
-/// The result of a run without any check of the time step, and the alarms that each detector would have raised. The
-/// detectors look at the sample at regular steps.
-struct PlainRun {
+/// The result of a run without any check of the time step, and the alarms that each detector would have raised.
+struct UncheckedRun {
   double peak = 0.0;             ///< largest shear stress, Pa
-  double largest_share = 0.0;    ///< largest time_step_share of all looks
+  double largest_share = 0.0;    ///< largest time_step_share of all readings
   bool lost = false;             ///< a grain is outside the cell, or a stress is not finite
   bool stiffness_alarm = false;  ///< largest_share >= 1: see check_contact_time_step
   bool overlap_alarm = false;    ///< see check_assembly
@@ -17,9 +17,9 @@ struct PlainRun {
   bool energy_alarm = false;  ///< kinetic and spring energy grew by more than the work of the top layer and 5 %
 };
 
-/// Shears a prepared sample from a linear velocity field to `strain`, without a check of the time step. `rate`: 1/s.
-/// `looks`: number of times that the detectors look at the sample.
-PlainRun plain_run(Engine& engine, const Assembly& sample, const EngineSettings& settings, double rate, double strain,
-                   int looks);
+/// Shears a prepared sample from a linear velocity field, without a check of the time step. The detectors examine the
+/// sample at the readings of `shearing`.
+UncheckedRun run_unchecked(Engine& engine, const Assembly& sample, const EngineSettings& settings,
+                           const Shearing& shearing);
 
 }  // namespace flowslide

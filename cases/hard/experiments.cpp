@@ -11,12 +11,12 @@
 namespace flowslide {
 namespace {
 
-double mean(const std::vector<Look>& looks, double from, double CellStress::*part) {
+double mean(const std::vector<ShearReading>& readings, double from, double CellStress::*part) {
   double sum = 0.0;
   int count = 0;
-  for (const Look& look : looks) {
-    if (look.strain < from) continue;
-    sum += look.stress.*part;
+  for (const ShearReading& reading : readings) {
+    if (reading.strain < from) continue;
+    sum += reading.stress.*part;
     ++count;
   }
   return sum / count;
@@ -39,62 +39,64 @@ double hertz_energy(const PairConstants& pair, double overlap) {
 
 }  // namespace
 
-std::vector<Look> shear(const Workshop& workshop, const Assembly& sample, const EngineSettings& settings, double rate,
-                        double strain, int looks) {
-  const auto engine = workshop.engine();
+std::vector<ShearReading> shear(const SceneContext& context, const Assembly& sample, const EngineSettings& settings,
+                                const Shearing& shearing) {
+  const auto engine = context.engine();
   DemSample sheared(*engine, sample, settings);
   sheared.start_linear_at_first_strain();
-  const double steps = strain / (rate * settings.time_step);
-  std::vector<Look> seen;
+  const double steps = shearing.final_strain / (shearing.rate * settings.time_step);
+  std::vector<ShearReading> readings;
   std::int64_t done = 0;
-  for (int look = 1; look <= looks; ++look) {
-    const auto until = static_cast<std::int64_t>(std::llround(steps * look / looks));
-    if (until > done) sheared.strain({{rate, 0.0}, until - done, settings.time_step});
+  for (int reading = 1; reading <= shearing.readings; ++reading) {
+    const auto until = static_cast<std::int64_t>(std::llround(steps * reading / shearing.readings));
+    if (until > done) sheared.strain({{shearing.rate, 0.0}, until - done, settings.time_step});
     done = until;
-    seen.push_back({sheared.shear_strain(), sheared.stress()});
-    workshop.border();
+    readings.push_back({sheared.shear_strain(), sheared.stress()});
+    context.stop_if_due();
   }
   sheared.assembly();  // throws if the last state is not valid
-  return seen;
+  return readings;
 }
 
-Assembly expanded(const Workshop& workshop, double share) {
+Assembly expanded(const SceneContext& context, double share) {
   constexpr double time_step = 5e-6, rate = 1.0;
-  const auto engine = workshop.engine();
-  const Assembly loose = workshop.prepared(workshop.suite().loose).assembly;
-  DemSample sample(*engine, loose, {workshop.suite().material, time_step, 0.0});
+  const auto engine = context.engine();
+  const Assembly loose = context.prepared(context.settings().loose).assembly;
+  DemSample sample(*engine, loose, {context.settings().material, time_step, 0.0});
   sample.strain({{0.0, -rate}, std::llround(share / (rate * time_step)), time_step});
   return sample.assembly();
 }
 
-double peak_of(const std::vector<Look>& looks) {
+double peak_of(const std::vector<ShearReading>& readings) {
   double peak = 0.0;
-  for (const Look& look : looks) peak = std::max(peak, look.stress.shear);
+  for (const ShearReading& reading : readings) peak = std::max(peak, reading.stress.shear);
   return peak;
 }
 
-double mean_shear(const std::vector<Look>& looks, double from) { return mean(looks, from, &CellStress::shear); }
-double mean_normal(const std::vector<Look>& looks, double from) { return mean(looks, from, &CellStress::normal); }
+double mean_shear(const std::vector<ShearReading>& readings, double from) {
+  return mean(readings, from, &CellStress::shear);
+}
+double mean_normal(const std::vector<ShearReading>& readings, double from) {
+  return mean(readings, from, &CellStress::normal);
+}
 
 double time_step_of(double share, const Assembly& sample, const Material& material) {
   return share * rayleigh_time(sample.smallest_radius(), material);
 }
 
-SlideState slide_on_grains(const Workshop& workshop, const Assembly& sample, const SlideSettings& settings,
-                           const StopConditions& stop, bool linear_start,
-                           const std::function<void(const Slide&)>& observe) {
-  const auto engine = workshop.engine();
-  DemSample grains(*engine, sample, {workshop.suite().material, settings.passing.time_step, 0.0});
-  if (linear_start) grains.start_linear_at_first_strain();
-  SlideSettings on_sample = settings;
-  on_sample.rate = for_grains(settings.rate, {sample.mean_diameter(), workshop.suite().material.density},
-                              initial_normal_stress(settings.slope));
-  Slide slide(on_sample, grains);
-  validate(stop);
-  while (stop_of(slide.state(), stop, settings.time_step) == Stop::not_yet) {
+SlideState run_slide(const SceneContext& context, const Assembly& sample, const GrainSlide& planned) {
+  const auto engine = context.engine();
+  DemSample grains(*engine, sample, {context.settings().material, planned.settings.passing.time_step, 0.0});
+  if (planned.linear_start) grains.start_linear_at_first_strain();
+  SlideSettings settings = planned.settings;
+  settings.rate = for_grains(settings.rate, {sample.mean_diameter(), context.settings().material.density},
+                             initial_normal_stress(settings.slope));
+  Slide slide(settings, grains);
+  validate(planned.stop);
+  while (stop_of(slide.state(), planned.stop, settings.time_step) == Stop::not_yet) {
     slide.step();
-    if (observe) observe(slide);
-    workshop.border();
+    if (planned.observe) planned.observe(slide);
+    context.stop_if_due();
   }
   grains.assembly();  // throws if the last state is not valid
   return slide.state();

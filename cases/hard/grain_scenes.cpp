@@ -26,13 +26,13 @@ Assembly cell_with(const std::vector<Vector3>& positions) {
 }
 
 /// Coefficient of restitution: speed of separation / speed of approach in a central impact of two grains.
-double restitution_of(const Workshop& workshop, const Material& material, double speed, double time_step) {
+double restitution_of(const SceneContext& context, const Material& material, double speed, double time_step) {
   Assembly pair = cell_with({{0.0, 0.02, 0.02}, {0.0062, 0.02, 0.02}});
   pair.position[0].x() = 0.0391;  // the grains collide across the periodic face
   pair.position[1].x() = 0.0054;
   pair.velocity[0].x() = 0.5 * speed;
   pair.velocity[1].x() = -0.5 * speed;
-  const auto engine = workshop.engine();
+  const auto engine = context.engine();
   engine->load(pair, {material, time_step, 0.0});
   engine->run(std::llround((0.5e-3 / speed + 20.0 * std::max(1e-5, 3e-5 * std::pow(speed, -0.2))) / time_step));
   const Assembly after = engine->save();
@@ -70,13 +70,13 @@ double farthest(const Assembly& a, const Assembly& b) {
 
 }  // namespace
 
-SceneRecord one_grain_scene(const Workshop& workshop) {
-  const EngineSettings settings{workshop.suite().material, 1e-5, 0.0};
+SceneRecord one_grain_scene(const SceneContext& context) {
+  const EngineSettings settings{context.settings().material, 1e-5, 0.0};
   SceneRecord record;
   record.trials.push_back(attempt("alone, across periodic faces: error of its place, m", {0.0, 1e-12, 0.0, 1e-9}, [&] {
     Assembly one = cell_with({{0.01, 0.02, 0.02}});
     one.velocity[0] = {1.234, -0.567, 0.0};
-    const auto engine = workshop.engine();
+    const auto engine = context.engine();
     engine->load(one, settings);
     engine->run(100000);
     const Vector3 exact = one.position[0] + one.velocity[0];  // after one second
@@ -86,7 +86,7 @@ SceneRecord one_grain_scene(const Workshop& workshop) {
       attempt("between the planes: speed after 5 bounces, m/s", {std::pow(0.8, 5), 0.01, 0.2, 1.0}, [&] {
         Assembly one = cell_with({{0.01, 0.02, 0.02}});
         one.velocity[0].z() = 1.0;
-        const auto engine = workshop.engine();
+        const auto engine = context.engine();
         engine->load(one, {settings.material, 1e-6, 0.0});
         int bounces = 0;
         for (double before = 1.0; bounces < 5;) {
@@ -99,46 +99,46 @@ SceneRecord one_grain_scene(const Workshop& workshop) {
         return std::abs(engine->save().velocity[0].z());
       }));
   record.trials.push_back(attempt("stress of a cell without contacts, Pa", {0.0, 0.0, 0.0, 0.0}, [&] {
-    const auto engine = workshop.engine();
+    const auto engine = context.engine();
     engine->load(cell_with({{0.01, 0.02, 0.02}}), settings);
     engine->run(10);
     return engine->cell_stress().mean();
   }));
   record.trials.push_back(attempt("as a sample", {0.0, 0.0, 0.0, 0.0, "glued layer"}, [&] {
-    const auto engine = workshop.engine();
+    const auto engine = context.engine();
     return DemSample(*engine, cell_with({{0.01, 0.02, 0.02}}), settings).mean_stress();
   }));
   return record;
 }
 
-SceneRecord impact_scene(const Workshop& workshop) {
+SceneRecord impact_scene(const SceneContext& context) {
   SceneRecord record;
-  Material material = workshop.suite().material;
+  Material material = context.settings().material;
   for (const std::string& law : contact_law_names()) {
     material.contact_law = contact_law_of(law);
     for (const double speed : {0.01, 0.1, 1.0, 5.0, 20.0})
       for (const double step : {1e-7, 1e-6, 1e-5})
         record.trials.push_back(attempt(fmt::format("{}, {} m/s, dt_L = {:.0e} s", law, speed, step),
                                         {material.restitution, 0.02, 0.0, 1.0},
-                                        [&] { return restitution_of(workshop, material, speed, step); }));
+                                        [&] { return restitution_of(context, material, speed, step); }));
   }
   return record;
 }
 
-SceneRecord rattler_scene(const Workshop& workshop) {
-  const PreparedSample prepared = workshop.prepared(workshop.suite().loose);
-  const Material& material = workshop.suite().material;
+SceneRecord rattler_scene(const SceneContext& context) {
+  const PreparedSample prepared = context.prepared(context.settings().loose);
+  const Material& material = context.settings().material;
   SceneRecord record;
   for (const double speed : {0.1, 1.0, 10.0, 50.0, 500.0}) {
     record.trials.push_back(attempt(fmt::format("{} m/s: largest energy over that at the start", speed),
                                     {1.0, 1e-3, 0.0, 1.01, speed > 5.0 ? "time step" : ""}, [&] {
                                       Assembly sample = prepared.assembly;
                                       sample.velocity[rattler_of(sample)] = speed * Vector3(1.0, 1.0, 1.0).normalized();
-                                      const auto engine = workshop.engine();
+                                      const auto engine = context.engine();
                                       DemSample hit(*engine, sample, {material, 1e-5, 0.0});
                                       const double first = energy_of(sample, material);
                                       double largest = first;
-                                      for (int look = 0; look < 200; ++look) {
+                                      for (int reading = 0; reading < 200; ++reading) {
                                         hit.strain({{0.0, 0.0}, 10, 1e-5});
                                         largest = std::max(largest, energy_of(hit.assembly(), material));
                                       }
@@ -148,9 +148,9 @@ SceneRecord rattler_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord pair_list_scene(const Workshop& workshop) {
-  const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
-  const EngineSettings settings{workshop.suite().material, 1e-6, 0.0};
+SceneRecord pair_list_scene(const SceneContext& context) {
+  const Assembly sample = context.prepared(context.settings().loose).assembly;
+  const EngineSettings settings{context.settings().material, 1e-6, 0.0};
   SceneRecord record;
   for (const double speed : {0.1, 1.0, 10.0}) {
     const Assembly start = kicked(sample, speed);

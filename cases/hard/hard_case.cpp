@@ -37,13 +37,13 @@ CaseDescription HardCase::description() const {
 }
 
 void HardCase::read(const Configuration& configuration) {
-  suite_ = Suite::read(configuration);
-  scenes_ = scenes_of(suite_);
+  settings_ = SceneSettings::read(configuration);
+  scenes_ = scenes_of(settings_);
 }
 
 std::vector<Point> HardCase::points() const {
   std::vector<Point> points;
-  const RunInputs inputs{suite_.engine, suite_.engine, suite_.inputs};
+  const RunInputs inputs{settings_.engine, settings_.engine, settings_.inputs};
   for (const Scene& scene : scenes_)
     points.push_back({scene.name, {}, scene.title, scene.seconds, {}, inputs, {scene.name + "_details"}});
   return points;
@@ -59,10 +59,10 @@ void HardCase::print_plan(const Point& point, std::ostream& out) const {
 }
 
 void HardCase::run(const Point& point, const PointRun& run) const {
-  const SceneRecord record = scene(point.name).run(Workshop(suite_, run));
+  const SceneRecord record = scene(point.name).run(SceneContext(settings_, run));
   Result result = run.result(series_of(record.trials), counts_of(record.trials));
   result.metrics.insert(result.metrics.end(), record.metrics.begin(), record.metrics.end());
-  result.provenance.seed = suite_.seed;
+  result.provenance.seed = settings_.seed;
   on_first_rank([&] {
     Table table = table_of(result);
     write_table(run.output.file(point.name + ".dat"), table);

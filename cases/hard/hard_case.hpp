@@ -26,7 +26,7 @@ class HardCase : public Case {
  private:
   const Scene& scene(const std::string& name) const;
 
-  Suite suite_;
+  SceneSettings settings_;
   std::vector<Scene> scenes_;
 };
 

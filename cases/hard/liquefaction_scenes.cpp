@@ -10,26 +10,26 @@
 
 namespace flowslide {
 
-SceneRecord flow_scene(const Workshop& workshop) {
+SceneRecord flow_scene(const SceneContext& context) {
   constexpr double strain = 10.0, settled = 2.0;
-  const Material& material = workshop.suite().material;
-  const Assembly sample = expanded(workshop, 0.03);
+  const Material& material = context.settings().material;
+  const Assembly sample = expanded(context, 0.03);
   SceneRecord record;
   for (const double rate : {5.0, 20.0}) {
     // tau/sigma of steady flow of spheres with mu = 0.5 is 0.3 to 0.6, from quasi-static to collisional flow.
     record.trials.push_back(
         attempt(fmt::format("tau/sigma at {} /s over 200 to 1000 %", rate), {0.4, 0.1, 0.2, 0.7}, [&] {
-          const auto looks = shear(workshop, sample, {material, 4e-6}, rate, strain, 2000);
-          return mean_shear(looks, settled) / mean_normal(looks, settled);
+          const auto readings = shear(context, sample, {material, 4e-6}, {rate, strain, 2000});
+          return mean_shear(readings, settled) / mean_normal(readings, settled);
         }));
   }
   return record;
 }
 
-SceneRecord resolidification_scene(const Workshop& workshop) {
+SceneRecord resolidification_scene(const SceneContext& context) {
   // A dense sample under a pulse slides, dilates (p_w < 0) and jams; v changes its sign.
-  const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
-  const SlopeProperties& slope = workshop.suite().slope;
+  const Assembly sample = context.prepared(context.settings().dense).assembly;
+  const SlopeProperties& slope = context.settings().slope;
   struct Course {
     double stress = 0.0;           // mean tau after the pulse, Pa
     double lowest_pressure = 0.0;  // lowest p_w, Pa
@@ -37,17 +37,18 @@ SceneRecord resolidification_scene(const Workshop& workshop) {
   };
   const auto follow = [&](const std::string& coupling) {
     const SlideSettings settings =
-        workshop.slide("rate = \"at_least_quasi_static\"\ninertial_number = 1e-4\n" + coupling,
-                       "history = \"pulse\"\namplitude = \"15 kPa\"\nduration = \"0.2 s\"\n", slope);
+        context.slide("rate = \"at_least_quasi_static\"\ninertial_number = 1e-4\n" + coupling,
+                      "history = \"pulse\"\namplitude = \"15 kPa\"\nduration = \"0.2 s\"\n", slope);
     Course course;
     double time = 0.0;
-    slide_on_grains(workshop, sample, settings, {.end_time = 0.4}, false, [&](const Slide& slide) {
+    const auto add = [&](const Slide& slide) {
       course.lowest_pressure = std::min(course.lowest_pressure, slide.basal_pore_pressure());
       course.lowest_velocity = std::min(course.lowest_velocity, slide.state().velocity);
       if (slide.state().time < 0.25) return;
       course.stress += slide.state().stress.shear * settings.time_step;
       time += settings.time_step;
-    });
+    };
+    run_slide(context, sample, {.settings = settings, .stop = {.end_time = 0.4}, .observe = add});
     course.stress /= time;
     return course;
   };
@@ -69,11 +70,11 @@ SceneRecord resolidification_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord no_stress_scene(const Workshop& workshop) {
+SceneRecord no_stress_scene(const SceneContext& context) {
   // The sample is expanded until sigma is nearly 0, then sheared. The stresses vanish; no rule may divide by them.
-  const Material& material = workshop.suite().material;
-  const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
-  const auto engine = workshop.engine();
+  const Material& material = context.settings().material;
+  const Assembly sample = context.prepared(context.settings().loose).assembly;
+  const auto engine = context.engine();
   DemSample expanded(*engine, sample, {material, 1e-5, 0.0});
   SceneRecord record;
   double stress = 0.0;

@@ -10,21 +10,21 @@
 namespace flowslide {
 namespace {
 
-constexpr int looks = 200;
+constexpr int readings = 200;
 constexpr double strain = 0.006;  // up to this strain, trajectories have not diverged by rounding
 
 /// Adds two trials: the largest shear stress of a sample at time steps of 0.2 and 0.45 Rayleigh times. The right value
 /// is that at 0.1 Rayleigh times.
-void add_peak(const Workshop& workshop, SampleRecipe recipe, const std::string& setting, const std::string& refusal,
+void add_peak(const SceneContext& context, SampleRecipe recipe, const std::string& setting, const std::string& refusal,
               SceneRecord& record) {
   double right = 0.0;
   Assembly sample;
   const auto peak = [&](double share) {
     const double step = time_step_of(share, sample, recipe.material);
-    return peak_of(shear(workshop, sample, {recipe.material, step}, workshop.suite().shear_rate, strain, looks));
+    return peak_of(shear(context, sample, {recipe.material, step}, {context.settings().shear_rate, strain, readings}));
   };
   const SceneTrial preparation = attempt(setting + ", prepared: e_0", {0.75, 0.15, 0.5, 1.0, refusal}, [&] {
-    const PreparedSample prepared = workshop.prepared(recipe);
+    const PreparedSample prepared = context.prepared(recipe);
     sample = prepared.assembly;
     right = peak(0.1);
     return prepared.void_ratio;
@@ -39,11 +39,11 @@ void add_peak(const Workshop& workshop, SampleRecipe recipe, const std::string& 
 
 }  // namespace
 
-SceneRecord fast_shear_scene(const Workshop& workshop) {
-  const Material& material = workshop.suite().material;
-  const Assembly sample = expanded(workshop, 0.125);
+SceneRecord fast_shear_scene(const SceneContext& context) {
+  const Material& material = context.settings().material;
+  const Assembly sample = expanded(context, 0.125);
   const auto stress = [&](double rate, double step) {
-    return mean_shear(shear(workshop, sample, {material, step}, rate, 20.0, 2000), 5.0);
+    return mean_shear(shear(context, sample, {material, step}, {rate, 20.0, 2000}), 5.0);
   };
   SceneRecord record;
   double before = 0.0, slower = 0.0;
@@ -66,47 +66,47 @@ SceneRecord fast_shear_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord size_scene(const Workshop& workshop) {
+SceneRecord size_scene(const SceneContext& context) {
   SceneRecord record;
-  SampleRecipe recipe = workshop.suite().loose;
+  SampleRecipe recipe = context.settings().loose;
   recipe.packing.smallest_diameter = 3e-3;
   recipe.packing.largest_diameter = 9e-3;
   recipe.time_step = 5e-6;
-  add_peak(workshop, recipe, "size ratio 1:3", "", record);
-  recipe = workshop.suite().loose;
+  add_peak(context, recipe, "size ratio 1:3", "", record);
+  recipe = context.settings().loose;
   recipe.packing.counts = {5, 5, 4};
-  add_peak(workshop, recipe, "100 grains", "", record);
+  add_peak(context, recipe, "100 grains", "", record);
   recipe.packing.counts = {3, 3, 3};
-  add_peak(workshop, recipe, "27 grains", "", record);
+  add_peak(context, recipe, "27 grains", "", record);
   return record;
 }
 
-SceneRecord material_scene(const Workshop& workshop) {
+SceneRecord material_scene(const SceneContext& context) {
   SceneRecord record;
   for (const double restitution : {0.1, 0.5, 1.0}) {
-    SampleRecipe recipe = workshop.suite().loose;
+    SampleRecipe recipe = context.settings().loose;
     recipe.material.restitution = restitution;
     recipe.time_step = 4e-6;
-    add_peak(workshop, recipe, fmt::format("restitution {}", restitution), restitution == 1.0 ? "preparation" : "",
+    add_peak(context, recipe, fmt::format("restitution {}", restitution), restitution == 1.0 ? "preparation" : "",
              record);
   }
-  SampleRecipe recipe = workshop.suite().loose;
+  SampleRecipe recipe = context.settings().loose;
   recipe.material.rolling_friction = 0.0;
-  add_peak(workshop, recipe, "mu_r = 0", "", record);
+  add_peak(context, recipe, "mu_r = 0", "", record);
   recipe.material.sliding_friction = 0.0;
-  add_peak(workshop, recipe, "mu = 0 under tau_0", "shear_stress", record);
+  add_peak(context, recipe, "mu = 0 under tau_0", "shear_stress", record);
   recipe.shear_stress = 0.0;
   recipe.preparation_friction = 0.0;
-  add_peak(workshop, recipe, "mu = mu_r = 0, isotropic", "", record);
+  add_peak(context, recipe, "mu = mu_r = 0, isotropic", "", record);
   return record;
 }
 
-SceneRecord many_grains_scene(const Workshop& workshop) {
+SceneRecord many_grains_scene(const SceneContext& context) {
   SceneRecord record;
-  SampleRecipe recipe = workshop.suite().loose;
-  recipe.packing.counts = workshop.suite().large_lattice;
+  SampleRecipe recipe = context.settings().loose;
+  recipe.packing.counts = context.settings().large_lattice;
   const auto& [nx, ny, nz] = recipe.packing.counts;
-  add_peak(workshop, recipe, fmt::format("{} grains", nx * ny * nz), "", record);
+  add_peak(context, recipe, fmt::format("{} grains", nx * ny * nz), "", record);
   return record;
 }
 

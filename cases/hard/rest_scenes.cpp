@@ -11,24 +11,24 @@
 
 namespace flowslide {
 
-SceneRecord rest_scene(const Workshop& workshop) {
-  constexpr int looks = 100;
-  SampleRecipe recipe = workshop.suite().loose;
+SceneRecord rest_scene(const SceneContext& context) {
+  constexpr int readings = 100;
+  SampleRecipe recipe = context.settings().loose;
   recipe.packing.counts = {5, 5, 4};
-  const PreparedSample prepared = workshop.prepared(recipe);
-  const auto engine = workshop.engine();
+  const PreparedSample prepared = context.prepared(recipe);
+  const auto engine = context.engine();
   DemSample sample(*engine, prepared.assembly, {recipe.material, 1e-5, 0.0});
-  const std::int64_t steps = workshop.suite().rest_steps / looks;
+  const std::int64_t steps = context.settings().rest_steps / readings;
   double drift = 0.0, first_energy = 0.0, largest_kinetic = 0.0, last_energy = 0.0;
   CellStress first;
   SceneRecord record;
-  const std::string duration = fmt::format("{:.0e} steps at rest", static_cast<double>(looks * steps));
+  const std::string duration = fmt::format("{:.0e} steps at rest", static_cast<double>(readings * steps));
   record.trials.push_back(attempt(duration + ": drift of sigma and tau over sigma_0", {0.0, 1e-3, 0.0, 1e-2}, [&] {
-    for (int look = 0; look < looks; ++look) {
+    for (int reading = 0; reading < readings; ++reading) {
       sample.strain({{0.0, 0.0}, steps, 1e-5});
-      workshop.border();
+      context.stop_if_due();
       const Assembly now = sample.assembly();
-      if (look == 0) {  // residual motion of the preparation has decayed
+      if (reading == 0) {  // residual motion of the preparation has decayed
         first = sample.stress();
         first_energy = energy_of(now, recipe.material);
       }

@@ -64,15 +64,15 @@ constexpr double quick_grains = 6 * 6 * 7;  ///< number of grains for the predic
 
 }  // namespace
 
-std::vector<Scene> scenes_of(const Suite& suite) {
+std::vector<Scene> scenes_of(const SceneSettings& settings) {
   std::vector<Scene> all;
   for (const auto& part : {time_step_scenes(), coupling_scenes(), liquefaction_scenes(), grain_scenes()})
     all.insert(all.end(), part.begin(), part.end());
   // Also scales the few scenes without a sample; they take only seconds.
-  const auto& counts = suite.loose.packing.counts;
+  const auto& counts = settings.loose.packing.counts;
   const double grains = static_cast<double>(counts[0]) * counts[1] * counts[2];
   for (Scene& scene : all) scene.seconds *= std::max(1.0, grains / quick_grains);
-  if (suite.large_lattice[0] > 0)
+  if (settings.large_lattice[0] > 0)
     all.push_back({"many_grains", "70 000 grains", "tau up to 0.6 % strain at 0.1 t_R, 2 % accurate, 10 % stable",
                    3600, many_grains_scene});
   return all;

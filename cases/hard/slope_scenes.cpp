@@ -25,11 +25,11 @@ ElasticSample elastic_sample(const SlopeProperties& slope, double normal_share) 
 }
 
 /// p_w after 0.1 s / p_w at the start, on the elastic sample. At the start p_w is 4 % of sigma_0.
-double pressure_left(const Workshop& workshop, double conductivity, double time_step, const std::string& scheme,
+double pressure_left(const SceneContext& context, double conductivity, double time_step, const std::string& scheme,
                      double bound) {
-  SlopeProperties slope = workshop.suite().slope;
+  SlopeProperties slope = context.settings().slope;
   slope.hydraulic_conductivity = conductivity;
-  const SlideSettings settings = workshop.slide(
+  const SlideSettings settings = context.slide(
       fmt::format("{}time_step = \"{} s\"\nconsolidation = \"{}\"\nresidual = \"left_out\"\nshear_modulus = \"{} Pa\"\n"
                   "oedometric_modulus = \"{} Pa\"\n",
                   told_at_once, time_step, scheme, shear_modulus, bound),
@@ -43,15 +43,15 @@ double pressure_left(const Workshop& workshop, double conductivity, double time_
 
 }  // namespace
 
-SceneRecord sliding_edge_scene(const Workshop& workshop) {
+SceneRecord sliding_edge_scene(const SceneContext& context) {
   constexpr double change = 100.0;  // Pa, applied at once: x oscillates up to twice the static displacement
-  const SlopeProperties& slope = workshop.suite().slope;
+  const SlopeProperties& slope = context.settings().slope;
   const double edge = sliding_time_step_limit(slope, shear_modulus);
   const double right = 2.0 * change * slope.liquefiable_thickness / shear_modulus;
   SceneRecord record;
   for (const double share : {0.01, 0.1, 0.5, 0.9, 0.99, 0.999, 1.001, 1.01, 1.1, 2.0, 10.0}) {
     const auto swing = [&] {
-      const SlideSettings settings = workshop.slide(
+      const SlideSettings settings = context.slide(
           fmt::format("{}time_step = \"{} s\"\nshear_modulus = \"{} Pa\"\n", told_at_once, share * edge, shear_modulus),
           fmt::format("history = \"constant\"\nchange = \"{} Pa\"\n", change), slope);
       ElasticSample sample = elastic_sample(slope, 1.0);
@@ -70,42 +70,43 @@ SceneRecord sliding_edge_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord drainage_edge_scene(const Workshop& workshop) {
+SceneRecord drainage_edge_scene(const SceneContext& context) {
   SceneRecord record;
   for (const double conductivity : {0.0, 1e-5, 1e-4, 1e-3, 1e-2})
     for (const double step : {1e-4, 1e-3, 1e-2})
       for (const char* scheme : {"euler", "exponential"}) {
-        SlopeProperties slope = workshop.suite().slope;
+        SlopeProperties slope = context.settings().slope;
         slope.hydraulic_conductivity = conductivity;
         const double right = std::exp(-consolidation_coefficient(slope) * oedometric_modulus * 0.1);
         const bool beyond = step > consolidation_time_step_limit(slope, oedometric_modulus);
         record.trials.push_back(
             attempt(fmt::format("k = {:.0e} m/s, dt_G = {:.0e} s, {}", conductivity, step, scheme),
                     {right, 0.01, 0.0, 1.0, beyond && std::string(scheme) == "euler" ? "unstable" : ""},
-                    [&] { return pressure_left(workshop, conductivity, step, scheme, oedometric_modulus); }));
+                    [&] { return pressure_left(context, conductivity, step, scheme, oedometric_modulus); }));
       }
   record.trials.push_back(attempt("k = 1e-02 m/s, dt_G = 1e-02 s, exponential with M = 100 MPa", {0.0, 0.01, 0.0, 1.0},
-                                  [&] { return pressure_left(workshop, 1e-2, 1e-2, "exponential", 100e6); }));
+                                  [&] { return pressure_left(context, 1e-2, 1e-2, "exponential", 100e6); }));
   return record;
 }
 
-SceneRecord drained_grains_scene(const Workshop& workshop) {
+SceneRecord drained_grains_scene(const SceneContext& context) {
   // Without excess pore pressure the slope stands: sigma stays near sigma_0 and tau near tau_0 for every dt_G.
-  const Assembly sample = workshop.prepared(workshop.suite().loose).assembly;
+  const Assembly sample = context.prepared(context.settings().loose).assembly;
   SceneRecord record;
   for (const double conductivity : {0.0, 1e-4, 1e-3, 1e-2})
     for (const char* scheme : {"exponential", "euler"})
       for (const double step : {1e-4, 1e-3, 5e-3}) {
-        SlopeProperties slope = workshop.suite().slope;
+        SlopeProperties slope = context.settings().slope;
         slope.hydraulic_conductivity = conductivity;
         const double modulus = 100e6, normal = initial_normal_stress(slope);
         const bool beyond = step > consolidation_time_step_limit(slope, modulus);
         record.trials.push_back(attempt(
             fmt::format("grains, k = {:.0e} m/s, dt_G = {:.0e} s, {}", conductivity, step, scheme),
             {1.0, 0.01, 0.9, 1.1, beyond && std::string(scheme) == "euler" ? "unstable" : ""}, [&] {
-              const SlideSettings settings = workshop.slide(
-                  fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
-              return slide_on_grains(workshop, sample, settings, {.end_time = 0.1}, false).stress.normal / normal;
+              const SlideSettings settings =
+                  context.slide(fmt::format("time_step = \"{} s\"\nconsolidation = \"{}\"\n", step, scheme), "", slope);
+              return run_slide(context, sample, {.settings = settings, .stop = {.end_time = 0.1}}).stress.normal /
+                     normal;
             }));
       }
   return record;

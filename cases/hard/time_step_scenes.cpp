@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* time_step = "time step";  ///< text of every message that refuses a time step
 constexpr const char* too_long = "too long for contacts";
-constexpr int looks = 40;
+constexpr int readings = 40;
 constexpr double strain = 0.01;         ///< about the peak of loose samples; trajectories have not diverged by rounding
 constexpr double small_strain = 0.006;  ///< the same for samples of any stiffness
 constexpr double refined = 0.1;         ///< reference time step in Rayleigh times: 1.6e-6 s
@@ -49,23 +49,23 @@ void count_alarms(const Series& scan, const std::string& detector, std::vector<M
 
 }  // namespace
 
-SceneRecord time_step_scene(const Workshop& workshop) {
-  const Material& material = workshop.suite().material;
-  const double rate = workshop.suite().shear_rate;
+SceneRecord time_step_scene(const SceneContext& context) {
+  const Material& material = context.settings().material;
+  const Shearing shearing{context.settings().shear_rate, strain, readings};
   SceneRecord record;
   record.details = empty_scan();
-  for (std::int64_t number = 0; number < workshop.suite().seeds; ++number) {
-    const Assembly sample = workshop.prepared(Workshop::numbered(workshop.suite().loose, number)).assembly;
+  for (std::int64_t number = 0; number < context.settings().seeds; ++number) {
+    const Assembly sample = context.prepared(SceneContext::numbered(context.settings().loose, number)).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {material, time_step_of(share, sample, material)}, rate, strain, looks));
+      return peak_of(shear(context, sample, {material, time_step_of(share, sample, material)}, shearing));
     };
     const double right = peak(refined);
     for (const double share : shares) {
       record.trials.push_back(attempt(fmt::format("sample {}, dt_L = {} t_R", number + 1, share),
                                       relative(right, 0.01, wrong, share > 0.6 ? time_step : ""),
                                       [&] { return peak(share); }));
-      const PlainRun run =
-          plain_run(*workshop.engine(), sample, {material, time_step_of(share, sample, material)}, rate, strain, looks);
+      const UncheckedRun run =
+          run_unchecked(*context.engine(), sample, {material, time_step_of(share, sample, material)}, shearing);
       const bool is_wrong = run.lost || std::abs(run.peak / right - 1.0) > wrong;
       const std::array row{static_cast<double>(number + 1),
                            share,
@@ -85,17 +85,17 @@ SceneRecord time_step_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord stiffness_scene(const Workshop& workshop) {
+SceneRecord stiffness_scene(const SceneContext& context) {
   SceneRecord record;
   for (const double gigapascal : {0.1, 0.5, 2.0, 10.0, 70.0}) {
-    SampleRecipe recipe = workshop.suite().loose;
+    SampleRecipe recipe = context.settings().loose;
     recipe.material.youngs_modulus = 1e9 * gigapascal;
     const double rayleigh = rayleigh_time(0.5 * recipe.packing.smallest_diameter, recipe.material);
     recipe.time_step = 0.45 * rayleigh;
-    const Assembly sample = workshop.prepared(recipe).assembly;
+    const Assembly sample = context.prepared(recipe).assembly;
     const auto peak = [&](double share) {
-      return peak_of(shear(workshop, sample, {recipe.material, share * rayleigh}, workshop.suite().shear_rate,
-                           small_strain, looks));
+      return peak_of(shear(context, sample, {recipe.material, share * rayleigh},
+                           {context.settings().shear_rate, small_strain, readings}));
     };
     const double right = peak(refined);
     for (const double share : {0.3, 0.64})
@@ -106,12 +106,12 @@ SceneRecord stiffness_scene(const Workshop& workshop) {
   return record;
 }
 
-SceneRecord dilation_scene(const Workshop& workshop) {
+SceneRecord dilation_scene(const SceneContext& context) {
   constexpr double last = 0.12, from = 0.08;  // strain at the end, and strain from which the stress is averaged
-  const Material& material = workshop.suite().material;
-  const Assembly sample = workshop.prepared(workshop.suite().dense).assembly;
+  const Material& material = context.settings().material;
+  const Assembly sample = context.prepared(context.settings().dense).assembly;
   const auto strength = [&](double step) {
-    return mean_shear(shear(workshop, sample, {material, step}, workshop.suite().shear_rate, last, 300), from);
+    return mean_shear(shear(context, sample, {material, step}, {context.settings().shear_rate, last, 300}), from);
   };
   const double right = strength(2e-6);
   SceneRecord record;

@@ -15,9 +15,9 @@
 namespace flowslide {
 namespace {
 
-Outcome judged(const Yardstick& yardstick, double measured) {
-  if (std::abs(measured - yardstick.right) <= yardstick.accurate) return Outcome::accurate;
-  if (measured >= yardstick.lowest && measured <= yardstick.highest) return Outcome::stable;
+Outcome judged(const ReferenceValue& reference, double measured) {
+  if (std::abs(measured - reference.right) <= reference.accurate) return Outcome::accurate;
+  if (measured >= reference.lowest && measured <= reference.highest) return Outcome::stable;
   return Outcome::silently_wrong;  // includes NaN
 }
 
@@ -30,7 +30,7 @@ std::string as_cell(std::string text) {
 
 SceneTrial& refuse(SceneTrial& trial, const std::string& reason) {
   trial.reason = as_cell(reason);
-  const std::string& expected = trial.yardstick.refusal;
+  const std::string& expected = trial.reference.refusal;
   const bool allowed = !expected.empty() && reason.find(expected) != std::string::npos;
   trial.outcome = allowed ? Outcome::refused : Outcome::needless;
   return trial;
@@ -43,16 +43,17 @@ std::string name_of(Outcome outcome) {
   return names[static_cast<std::size_t>(outcome)];
 }
 
-Yardstick relative(double right, double accurate, double stable, const std::string& refusal) {
+ReferenceValue relative(double right, double accurate, double stable, const std::string& refusal) {
   const double size = std::abs(right);
   return {right, accurate * size, right - stable * size, right + stable * size, refusal};
 }
 
-SceneTrial attempt(const std::string& setting, const Yardstick& yardstick, const std::function<double()>& measure) {
-  SceneTrial trial{setting, yardstick, 0.0, Outcome::silently_wrong, {}};
+SceneTrial attempt(const std::string& setting, const ReferenceValue& reference,
+                   const std::function<double()>& measure) {
+  SceneTrial trial{setting, reference, 0.0, Outcome::silently_wrong, {}};
   try {
     trial.measured = measure();
-    trial.outcome = judged(yardstick, trial.measured);
+    trial.outcome = judged(reference, trial.measured);
     if (!std::isfinite(trial.measured)) trial.reason = "the number is not finite";
     if (!std::isfinite(trial.measured)) trial.measured = 0.0;  // a result accepts finite numbers only
     return trial;
@@ -97,7 +98,7 @@ Series series_of(const std::vector<SceneTrial>& trials) {
       {"outcome", "", "1", "accurate, stable, refused, silently wrong, refused needlessly: 0 to 4", "", {}}};
   double number = 0.0;
   for (const SceneTrial& trial : trials) {
-    const Yardstick& y = trial.yardstick;
+    const ReferenceValue& y = trial.reference;
     const std::array row{y.right, trial.measured, y.accurate, y.lowest, y.highest, static_cast<double>(trial.outcome)};
     series.append_row(++number, row);
   }
@@ -108,8 +109,8 @@ std::string markdown_rows(const std::string& scene, const std::vector<SceneTrial
   std::string rows;
   for (const SceneTrial& trial : trials) {
     const bool refused = trial.outcome == Outcome::refused || trial.outcome == Outcome::needless;
-    rows += fmt::format("| {} | {} | {:.4g} ± {:.2g} | {} | {} | {} |\n", scene, trial.setting, trial.yardstick.right,
-                        trial.yardstick.accurate, refused ? "-" : fmt::format("{:.4g}", trial.measured),
+    rows += fmt::format("| {} | {} | {:.4g} ± {:.2g} | {} | {} | {} |\n", scene, trial.setting, trial.reference.right,
+                        trial.reference.accurate, refused ? "-" : fmt::format("{:.4g}", trial.measured),
                         name_of(trial.outcome), trial.reason);
   }
   return rows;

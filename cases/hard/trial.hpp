@@ -22,7 +22,7 @@ enum class Outcome {
 std::string name_of(Outcome outcome);
 
 /// The right value of one trial with its tolerances, in the unit of the measured value.
-struct Yardstick {
+struct ReferenceValue {
   double right = 0.0;                  ///< the right value, by theory or from a refined run
   double accurate = 0.0;               ///< largest difference from `right` that counts as accurate
   double lowest = 0.0, highest = 0.0;  ///< bounds of a stable run, both inclusive
@@ -30,12 +30,12 @@ struct Yardstick {
 };
 
 /// The tolerances as fractions of |right|: accurate within `accurate`, stable within `stable`.
-Yardstick relative(double right, double accurate, double stable, const std::string& refusal = {});
+ReferenceValue relative(double right, double accurate, double stable, const std::string& refusal = {});
 
 /// One run of a scene.
 struct SceneTrial {
   std::string setting;  ///< "dt_L = 1.5e-5 s"
-  Yardstick yardstick;
+  ReferenceValue reference;
   double measured = 0.0;  ///< 0 if refused or not finite
   Outcome outcome = Outcome::silently_wrong;
   std::string reason;  ///< message of the error, or that the value is not finite; else empty
@@ -44,7 +44,7 @@ struct SceneTrial {
 /// Calls `measure` and judges its value. NumericalFailure, ConfigurationError, EngineError and std::invalid_argument
 /// end the trial: with the outcome `refused` if the message contains the allowed text, otherwise `needless`. Other
 /// exceptions end the program.
-SceneTrial attempt(const std::string& setting, const Yardstick& yardstick, const std::function<double()>& measure);
+SceneTrial attempt(const std::string& setting, const ReferenceValue& reference, const std::function<double()>& measure);
 
 /// The record of a scene.
 struct SceneRecord {

@@ -43,11 +43,11 @@ void mark_front(std::vector<Candidate>& by_cost) {
 }  // namespace
 
 QuantityError error_of(const Ensemble& setting, const Ensemble& reference, const std::string& quantity) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> of_reference = values_of(reference, quantity);
-  if (of_reference.size() < reference.size()) return {quantity, nothing, nothing, nothing};
+  if (of_reference.size() < reference.size()) return {quantity, undefined, undefined, undefined};
   const Statistics exact = statistics_of(of_reference);
-  QuantityError result{quantity, nothing, nothing, 0.0};
+  QuantityError result{quantity, undefined, undefined, 0.0};
   std::vector<double> differences;
   for (const auto& [ours, theirs] : paired_values(paired(setting, reference), quantity))
     differences.push_back(ours - theirs);

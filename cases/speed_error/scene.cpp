@@ -13,7 +13,7 @@ namespace {
 constexpr double liquefied = 0.1;          ///< sigma / initial sigma at which a sample counts as liquefied
 constexpr double half = 0.5;               ///< strain
 constexpr double half_width = 5e-3;        ///< half width of the window around this strain
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 struct Peak {
   double place, value;
@@ -23,7 +23,7 @@ struct Peak {
 /// row and its neighbours refines the peak.
 Peak refined_peak(const std::vector<double>& at, const std::vector<double>& values, double place) {
   const auto top = static_cast<std::size_t>(std::find(at.begin(), at.end(), place) - at.begin());
-  if (top == at.size()) return {nothing, nothing};
+  if (top == at.size()) return {undefined, undefined};
   if (top == 0 || top + 1 == values.size()) return {at[top], values[top]};
   const double left = at[top - 1] - at[top], right = at[top + 1] - at[top];
   const double down = (values[top - 1] - values[top]) / left, up = (values[top + 1] - values[top]) / right;
@@ -41,7 +41,7 @@ double first_fall(const std::vector<double>& at, const std::vector<double>& valu
     const double share = (level - values[row - 1]) / (values[row] - values[row - 1]);
     return at[row - 1] + share * (at[row] - at[row - 1]);
   }
-  return nothing;
+  return undefined;
 }
 
 std::vector<Metric> element_metrics(const Series& series, const RunMeasures& measures) {
@@ -59,7 +59,7 @@ std::vector<Metric> trigger_metrics(const RunMeasures& measures) {
   const bool reached = end_of(measures.over_strain) >= half + half_width;
   const double velocity = mean_over(measures.over_strain, "velocity", half - half_width, half + half_width);
   return {{"instability_time", measures.peak_to_2.time, "s", "time of the largest shear stress up to 2 % strain"},
-          {"velocity_at_half", reached ? velocity : nothing, "m/s", "sliding velocity at 50 % strain"}};
+          {"velocity_at_half", reached ? velocity : undefined, "m/s", "sliding velocity at 50 % strain"}};
 }
 
 std::vector<Metric> pulse_metrics(const SlideOutcome& outcome) {

@@ -2,8 +2,10 @@
 #include "configuration/configuration.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "configuration/canonical.hpp"
@@ -14,6 +16,28 @@
 #include "configuration/value_check.hpp"
 
 namespace flowslide {
+namespace {
+
+/// Whether `key` matches `pattern`, in which a part "*" stands for any name.
+bool matches(std::string_view key, std::string_view pattern) {
+  while (true) {
+    const std::size_t key_end = std::min(key.find('.'), key.size()), end = std::min(pattern.find('.'), pattern.size());
+    if (pattern.substr(0, end) != "*" && pattern.substr(0, end) != key.substr(0, key_end)) return false;
+    if (key_end == key.size() || end == pattern.size()) return key_end == key.size() && end == pattern.size();
+    key.remove_prefix(key_end + 1);
+    pattern.remove_prefix(end + 1);
+  }
+}
+
+/// The first parts of `pattern`, as many as `table` has; empty unless more parts follow.
+std::string_view beginning_like(std::string_view pattern, std::string_view table) {
+  std::size_t end = pattern.find('.');
+  for (auto dots = std::count(table.begin(), table.end(), '.'); dots > 0 && end != std::string_view::npos; --dots)
+    end = pattern.find('.', end + 1);
+  return pattern.substr(0, end == std::string_view::npos ? 0 : end);
+}
+
+}  // namespace
 
 Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
   LaidEntries laid = lay(layers);
@@ -59,10 +83,10 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
   const std::string similar = nearest(key, unread);
   if (!similar.empty() && edit_distance(key, similar) <= 3)
     hint = fmt::format(" (is \"{}\" at {} a misspelling of it?)", similar, find(similar)->key_place.text());
-  const std::string table(key.substr(0, std::min(key.rfind('.'), key.size())));
+  const std::string table = users_table_of(key.substr(0, std::min(key.rfind('.'), key.size())));
   const std::string where =
-      is_users_table(table) ? fmt::format("{}: [{}] lacks the key \"{}\"", find(table)->key_place.text(), table, key)
-                            : fmt::format("{}: the key \"{}\" is missing", origin_, key);
+      !table.empty() ? fmt::format("{}: [{}] lacks the key \"{}\"", find(table)->key_place.text(), table, key)
+                     : fmt::format("{}: the key \"{}\" is missing", origin_, key);
   throw ConfigurationError(
       fmt::format("{}: {} is needed; add it there or with --set {}=VALUE{}", where, wanted, key, hint));
 }
@@ -70,6 +94,14 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
 bool Configuration::is_users_table(std::string_view table) const {
   const Entry* entry = find(table);
   return entry != nullptr && entry->kind == Entry::Kind::table && !is_published_origin(*entry);
+}
+
+std::string Configuration::users_table_of(std::string_view table) const {
+  while (!table.empty() && !is_users_table(table)) {
+    const std::size_t dot = table.rfind('.');
+    table = table.substr(0, dot == std::string_view::npos ? 0 : dot);
+  }
+  return std::string(table);
 }
 
 bool Configuration::is_of_base(std::string_view key) const {
@@ -86,7 +118,31 @@ bool Configuration::has(std::string_view key) const {
   return find(key) != nullptr;
 }
 
-void Configuration::accept(std::string_view key) const { accepted_.emplace(key); }
+void Configuration::accept(std::string_view key, std::string_view reason) const {
+  std::string& known_reason = accepted_[std::string(key)];
+  if (!reason.empty()) known_reason = reason;
+}
+
+void Configuration::describe_users(std::string_view pattern, std::string_view users) const {
+  users_[std::string(pattern)] = users;
+}
+
+std::string Configuration::place_of(const std::vector<std::string>& tables) const {
+  std::vector<std::string> places;
+  for (const Entry& entry : entries_) {
+    const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
+    if (entry.kind == Entry::Kind::table || is_published_origin(entry) ||
+        std::none_of(tables.begin(), tables.end(), covers))
+      continue;
+    places.push_back(entry.key_place.line == 0
+                         ? entry.key_place.text()
+                         : fmt::format("{}: {} = {}", entry.key_place.text(), entry.key, entry.whole.written));
+  }
+  if (!places.empty()) return fmt::format("{}", fmt::join(places, "; "));
+  for (const std::string& table : tables)
+    if (const Entry* entry = find(table)) return fmt::format("{}: [{}]", entry->key_place.text(), table);
+  return origin_;
+}
 
 std::vector<std::string> Configuration::subtables(std::string_view key) const {
   known_.emplace(key);
@@ -111,10 +167,10 @@ std::vector<std::string> Configuration::subtables(std::string_view key) const {
   return names;
 }
 
-void Configuration::refuse(std::string_view key, std::string_view problem, std::string_view mend) const {
+void Configuration::refuse(std::string_view key, std::string_view problem, std::string_view remedy) const {
   const Entry* entry = find(key);
-  if (entry == nullptr) throw ConfigurationError(fmt::format("{}: {} {}; {}", origin_, key, problem, mend));
-  refuse_value(key, entry->whole, problem, mend);
+  if (entry == nullptr) throw ConfigurationError(fmt::format("{}: {} {}; {}", origin_, key, problem, remedy));
+  refuse_value(key, entry->whole, problem, remedy);
 }
 
 void Configuration::refuse_renamed(std::string_view key, std::string_view now) const {
@@ -127,10 +183,9 @@ void Configuration::refuse_renamed(std::string_view key, std::string_view now) c
 
 bool Configuration::is_known(const std::string& key) const {
   if (known_.contains(key)) return true;
-  const auto covers = [&](const std::string& table) { return table == key || stands_below(key, table); };
-  if (std::any_of(accepted_.begin(), accepted_.end(), covers)) return true;
-  const auto below = [&](const std::string& other) { return stands_below(other, key); };
-  return std::any_of(known_.begin(), known_.end(), below) || std::any_of(accepted_.begin(), accepted_.end(), below);
+  for (const auto& [other, reason] : accepted_)
+    if (other == key || stands_below(key, other) || stands_below(other, key)) return true;
+  return std::any_of(known_.begin(), known_.end(), [&](const std::string& other) { return stands_below(other, key); });
 }
 
 std::string Configuration::with_wildcards(std::string_view key) const {
@@ -157,8 +212,11 @@ bool Configuration::is_known_elsewhere(const std::string& key) const {
 
 std::string Configuration::unknown_message(const Entry& entry) const {
   const bool is_table = entry.kind == Entry::Kind::table;
+  if (const std::string users = users_of(entry); !users.empty())
+    return fmt::format("{}: the {} \"{}\" is known, but no run of this case uses it: it belongs to {}",
+                       entry.key_place.text(), is_table ? "table" : "key", entry.key, users);
   std::set<std::string> keys(known_.begin(), known_.end());
-  keys.insert(accepted_.begin(), accepted_.end());
+  for (const auto& [key, reason] : accepted_) keys.insert(key);
   std::set<std::string> tables(listed_.begin(), listed_.end());
   for (const std::string& key : keys)
     for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
@@ -175,10 +233,31 @@ std::string Configuration::unknown_message(const Entry& entry) const {
                          : did_you_mean(entry.key, candidates, "no known name is similar; --dry-run prints all keys"));
 }
 
-/// Whether the user gives a value that no reader uses. The user would wrongly expect an effect. Unused values of the
-/// case file and its base are allowed: they are defaults.
-bool Configuration::is_in_vain(const Entry& entry) const {
-  return !is_published_origin(entry) && overridden_.contains(entry.key) && !resolved_.contains(entry.key);
+/// The runs that use a key or a table which is not read in this case; empty if its name is not known.
+std::string Configuration::users_of(const Entry& entry) const {
+  const bool is_table = entry.kind == Entry::Kind::table;
+  if (!is_table && is_known_elsewhere(entry.key)) {
+    const std::size_t star = with_wildcards(entry.key).find('*');
+    const std::string table = entry.key.substr(0, entry.key.find('.', star)), list = table.substr(0, star - 1);
+    const auto is_read = [&](const std::string& key) { return stands_below(key, table); };
+    if (std::none_of(known_.begin(), known_.end(), is_read))
+      return fmt::format("[{}], which needs a run with {} = \"{}\"", table, list, table.substr(star));
+  }
+  for (const auto& [pattern, users] : users_)
+    if (matches(entry.key, is_table ? beginning_like(pattern, entry.key) : pattern)) return users;
+  return "";
+}
+
+/// Why a value of the user has no effect, as the end of a message; empty if a getter read the value. Unused values of
+/// the case file and its base are allowed: they are defaults.
+std::string Configuration::reason_for_no_effect(const Entry& entry) const {
+  if (entry.kind == Entry::Kind::table || is_published_origin(entry) || resolved_.contains(entry.key)) return "";
+  if (const auto nearer = overridden_.find(entry.key); nearer != overridden_.end())
+    return fmt::format("every run that could use it has a nearer key, such as \"{}\"; set that key instead",
+                       nearer->second);
+  for (const auto& [key, reason] : accepted_)
+    if (!reason.empty() && (key == entry.key || stands_below(entry.key, key))) return reason + "; remove it";
+  return "";
 }
 
 void Configuration::reject_unknown() const {
@@ -193,10 +272,8 @@ void Configuration::reject_unknown() const {
   };
   for (const Entry& entry : entries_)
     if (!is_known(entry.key)) check(entry);
-    else if (is_in_vain(entry))
-      messages.push_back(fmt::format("{}: \"{}\" has no effect: every run that could use it has a nearer key, such as "
-                                     "\"{}\"; set that key instead", entry.key_place.text(), entry.key,
-                                     overridden_.at(entry.key)));
+    else if (const std::string reason = reason_for_no_effect(entry); !reason.empty())
+      messages.push_back(fmt::format("{}: \"{}\" has no effect: {}", entry.key_place.text(), entry.key, reason));
   tables.clear();
   for (const Entry& entry : unselected_)
     if (!is_known(entry.key) && !is_known_elsewhere(entry.key)) check(entry);
@@ -248,16 +325,28 @@ std::string Configuration::resolved() const {
   return text;
 }
 
+/// The source of a value: "fig12_pulse/case.toml:12", or the option.
+std::string Configuration::origin_of(const std::string& key) const {
+  const Place& place = find(key)->key_place;
+  const std::filesystem::path file = place.origin;
+  if (place.line == 0) return place.origin;
+  return fmt::format("{}:{}", (file.parent_path().filename() / file.filename()).string(), place.line);
+}
+
 std::string Configuration::resolved_with_origins() const {
   std::string text;
-  for (const auto& [key, value] : resolved_lines()) {
-    const Place& place = find(key)->key_place;
-    const std::filesystem::path file = place.origin;
-    const std::string origin =
-        place.line == 0
-            ? place.origin
-            : fmt::format("{}:{}", (file.parent_path().filename() / file.filename()).string(), place.line);
-    text += fmt::format("{:<60} # {}\n", fmt::format("{} = {}", key, value), origin);
+  for (const auto& [key, value] : resolved_lines())
+    text += fmt::format("{:<60} # {}\n", fmt::format("{} = {}", key, value), origin_of(key));
+  return text;
+}
+
+std::string Configuration::inherited_with_origins(std::string_view list) const {
+  std::string text;
+  for (const auto& [key, source] : inherited_) {
+    const auto value = resolved_.find(source);
+    if (!stands_below(key, list) || value == resolved_.end()) continue;
+    const std::string table = source.substr(0, source.find('.', list.size() + 1));
+    text += fmt::format("{:<60} # like {}, {}\n", fmt::format("{} = {}", key, value->second), table, origin_of(source));
   }
   return text;
 }

@@ -51,6 +51,8 @@ class Configuration {
   bool has(std::string_view key) const;
   /// Whether --config or an option added this table, which neither the case file nor its base has.
   bool is_users_table(std::string_view table) const;
+  /// The nearest table that --config or an option added: `table` itself or one above it. Empty: there is none.
+  std::string users_table_of(std::string_view table) const;
   /// Whether the base of the case first defines this table, or gives this value and no later layer replaces it.
   bool is_of_base(std::string_view key) const;
 
@@ -82,16 +84,28 @@ class Configuration {
   /// does not exist. The keys below the table `name` start with `key + "." + name + "."`.
   std::vector<std::string> subtables(std::string_view key) const;
 
-  /// Marks a key as known although this run does not need it. For a table, marks all keys below it too.
-  void accept(std::string_view key) const;
+  /// Marks a key as known although this run does not need it. For a table, marks all keys below it too. With `reason`,
+  /// a clause that says why the key has no effect, reject_unknown() refuses a value of the user that no getter read.
+  void accept(std::string_view key, std::string_view reason = {}) const;
+  /// Tells reject_unknown() which runs use a key, also in cases without such runs. `pattern` is a key in which "*"
+  /// stands for any name: "sample.*.drag". `users` completes "it belongs to ...": "slides, which are runs with a
+  /// scheme".
+  void describe_users(std::string_view pattern, std::string_view users) const;
 
   /// Records that a reader used the value of `nearer` in place of the value of `key`. Another reader may still read
   /// `key`.
   void override_by(const std::string& key, const std::string& nearer) const { overridden_[key] = nearer; }
 
+  /// Records that a reader used the value of `source` for `key`, which its table takes from another one by `like`.
+  void inherit(const std::string& key, const std::string& source) const { inherited_[key] = source; }
+
+  /// Where to look for the reason why values below these tables do not fit together: place, key and value of each that
+  /// --config or an option gives. If there is none, the place of the first of these tables.
+  std::string place_of(const std::vector<std::string>& tables) const;
+
   /// Throws ConfigurationError about the value of `key`, for a rule that involves several keys. The message gives file,
-  /// line, column, key and the value as written, then `problem` and `mend` (the remedy; clauses without a full stop).
-  [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view mend) const;
+  /// line, column, key and the value as written, then `problem` and `remedy` (clauses without a full stop).
+  [[noreturn]] void refuse(std::string_view key, std::string_view problem, std::string_view remedy) const;
 
   /// Throws ConfigurationError if any layer has the old name `key`, whose present name is `now`. This includes the
   /// tables [scale.<name>] that were not chosen. The message gives file, line, column and both names.
@@ -100,7 +114,7 @@ class Configuration {
   /// Throws ConfigurationError if a layer other than the base has a key that no getter asked for. This includes the
   /// tables [scale.<name>] that were not chosen. Throws too if --config or an option gives a value that has no effect
   /// because every reader used a nearer key. The message gives file, line and column of each key, and for an unknown
-  /// key the nearest known one. Call it after all values are read.
+  /// key the nearest known one, or which runs would use it. Call it after all values are read.
   void reject_unknown() const;
 
   /// Whether the case file or its base has the key at the chosen scale.
@@ -115,6 +129,9 @@ class Configuration {
   std::string resolved() const;
   /// The lines of resolved(), each with the source of its value as a comment: "# cases/paper.toml:12".
   std::string resolved_with_origins() const;
+  /// The values that tables below `list` take from others by `like`, one line each: `sample.b.drag = "0.06 kg/s"`, then
+  /// the table and the source of the value as a comment.
+  std::string inherited_with_origins(std::string_view list) const;
 
  private:
   Configuration() = default;
@@ -130,7 +147,9 @@ class Configuration {
   bool is_known_elsewhere(const std::string& key) const;
   std::string with_wildcards(std::string_view key) const;
   std::string unknown_message(const Entry& entry) const;
-  bool is_in_vain(const Entry& entry) const;
+  std::string users_of(const Entry& entry) const;
+  std::string origin_of(const std::string& key) const;
+  std::string reason_for_no_effect(const Entry& entry) const;
 
   std::string origin_;                                   ///< the case file
   std::string base_;                                     ///< the base of the case file; empty: none
@@ -139,7 +158,9 @@ class Configuration {
   std::vector<Entry> published_;                         ///< entries of the case file and its base at this scale
   std::vector<Entry> unselected_;                        ///< entries of other scales: checked for spelling only
   mutable std::set<std::string, std::less<>> known_;     ///< keys that a getter asked for: values and tables
-  mutable std::set<std::string, std::less<>> accepted_;  ///< keys that are not needed, with all keys below them
+  mutable std::map<std::string, std::string, std::less<>> accepted_;  ///< keys not needed -> why; with all keys below
+  mutable std::map<std::string, std::string> users_;                  ///< pattern of keys -> the runs that use them
+  mutable std::map<std::string, std::string> inherited_;              ///< key -> the key whose value it has by `like`
   mutable std::set<std::string, std::less<>> listed_;    ///< tables whose names subtables() returned
   mutable std::map<std::string, std::string> overridden_;  ///< key -> the nearer key that was used instead
   mutable Lines resolved_;                                 ///< key -> canonical value with its unit

@@ -6,8 +6,8 @@
 
 namespace flowslide {
 
-/// The user asked for something that is not possible. The message says what was given, what is allowed, and how to mend
-/// it.
+/// The user asked for something that is not possible. The message says what was given, what is allowed, and how to
+/// correct it.
 class ConfigurationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

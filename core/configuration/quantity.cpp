@@ -220,22 +220,30 @@ std::string example_of(const Dimension& dimension) {
   return "2 " + unit_of(dimension);
 }
 
-Quantity parse_quantity(std::string_view text) {
+namespace {
+
+/// Reads a quantity. `example` shows in a message what could stand in its place.
+Quantity read_quantity(std::string_view text, std::string_view example) {
   std::string_view number = text;
   while (!number.empty() && (number.front() == ' ' || number.front() == '\t')) number.remove_prefix(1);
   if (number.starts_with('+') && !number.starts_with("+-")) number.remove_prefix(1);
   Quantity quantity;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), quantity.value);
   if (error == std::errc::result_out_of_range) fail(text, "is too large or too small for a number");
-  if (error != std::errc{}) fail(text, "does not begin with a number; write, for example, \"3 kPa\"");
+  if (error != std::errc{})
+    fail(text, fmt::format("does not begin with a number; write, for example, \"{}\"", example));
   if (!std::isfinite(quantity.value)) fail(text, "is not a finite number");
   UnitReader(text, number.substr(static_cast<std::size_t>(end - number.data()))).read(quantity);
   if (!std::isfinite(quantity.value)) fail(text, "is too large for a number in SI units");
   return quantity;
 }
 
+}  // namespace
+
+Quantity parse_quantity(std::string_view text) { return read_quantity(text, "3 kPa"); }
+
 double parse_quantity(std::string_view text, const Dimension& expected, std::string_view likely_unit) {
-  const Quantity quantity = parse_quantity(text);
+  const Quantity quantity = read_quantity(text, example_of(expected));
   if (quantity.has_unit && quantity.dimension != expected)
     fail(text, fmt::format("is {}, but {} is expected, such as \"{}\"", name_of(quantity.dimension), name_of(expected),
                            example_of(expected)));

@@ -14,18 +14,25 @@ std::string Tables::key(const char* name) const {
     if (found.empty()) found = candidate;
     else configuration_.override_by(candidate, found);
   }
-  return found.empty() ? table_to_mend() + "." + name : found;
+  const std::string& own = tables_.names().front();
+  const std::string list = own.substr(0, own.find('.'));
+  if (!found.empty() && !stands_below(found, own) && stands_below(found, list))
+    configuration_.inherit(own + "." + name, found);
+  return found.empty() ? table_to_complete() + "." + name : found;
 }
 
-const std::string& Tables::table_to_mend() const {
+const std::string& Tables::table_to_complete() const {
   const auto is_users = [&](const std::string& table) { return configuration_.is_users_table(table); };
-  const auto own = std::find_if(tables_.names().begin(), tables_.names().end(), is_users);
-  return own != tables_.names().end() ? *own : tables_.names().back();
+  const auto is_below_users = [&](const std::string& table) { return !configuration_.users_table_of(table).empty(); };
+  const std::vector<std::string>& names = tables_.names();
+  auto own = std::find_if(names.begin(), names.end(), is_users);
+  if (own == names.end()) own = std::find_if(names.begin(), names.end(), is_below_users);
+  return own != names.end() ? *own : names.back();
 }
 
-void Tables::accept(std::initializer_list<const char*> names) const {
+void Tables::accept(std::initializer_list<const char*> names, const std::string& reason) const {
   for (const std::string& table : tables_.names())
-    for (const char* name : names) configuration_.accept(table + "." + name);
+    for (const char* name : names) configuration_.accept(table + "." + name, reason);
 }
 
 std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name) {

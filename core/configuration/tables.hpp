@@ -25,7 +25,8 @@ class TableNames {
 };
 
 /// The getters of Configuration for such tables. A key is read from the first table that has it. The message about a
-/// missing key names the first table that the user added (see is_users_table), or else the last table.
+/// missing key names the first table that the user added; else the first that would lie below such a table; else the
+/// last.
 class Tables {
  public:
   /// `configuration` must outlive it.
@@ -58,14 +59,15 @@ class Tables {
     return configuration_.integers(key(name), range);
   }
   bool flag(const char* name) const { return configuration_.flag(key(name)); }
-  /// Marks these keys as known in all tables.
-  void accept(std::initializer_list<const char*> names) const;
-  [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& mend) const {
-    configuration_.refuse(key(name), problem, mend);
+  /// Marks these keys as known in all tables. `reason` says why they have no effect (see Configuration::accept).
+  void accept(std::initializer_list<const char*> names, const std::string& reason = {}) const;
+  [[noreturn]] void refuse(const char* name, const std::string& problem, const std::string& remedy) const {
+    configuration_.refuse(key(name), problem, remedy);
   }
 
  private:
-  const std::string& table_to_mend() const;
+  /// The table that a message about a missing key names.
+  const std::string& table_to_complete() const;
 
   const Configuration& configuration_;
   TableNames tables_;

@@ -42,11 +42,11 @@ constexpr double largest_exact_integer = 9007199254740992.0;
 
 }  // namespace
 
-void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem, std::string_view mend) {
+void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem, std::string_view remedy) {
   const bool from_option = scalar.place.line == 0;  // the place of an option includes key and value
   const std::string what = from_option ? "the value" : fmt::format("{} = {}", key, scalar.written);
   throw ConfigurationError(
-      fmt::format("{}: {} {}{}{}", scalar.place.text(), what, problem, mend.empty() ? "" : "; ", mend));
+      fmt::format("{}: {} {}{}{}", scalar.place.text(), what, problem, remedy.empty() ? "" : "; ", remedy));
 }
 
 std::string wanted_quantity(const Dimension& dimension, const Range& range) {

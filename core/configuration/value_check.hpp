@@ -24,9 +24,9 @@ bool checked_flag(std::string_view key, const Scalar& scalar);
 /// The required quantity in words: "a stress, above 0 Pa".
 std::string wanted_quantity(const Dimension& dimension, const Range& range);
 
-/// Throws ConfigurationError. The message gives place and "key = value" as written, then `problem` and `mend`, the
-/// remedy. Leave `mend` empty if `problem` includes it.
+/// Throws ConfigurationError. The message gives place and "key = value" as written, then `problem` and `remedy`.
+/// Leave `remedy` empty if `problem` includes it.
 [[noreturn]] void refuse_value(std::string_view key, const Scalar& scalar, std::string_view problem,
-                               std::string_view mend = {});
+                               std::string_view remedy = {});
 
 }  // namespace flowslide

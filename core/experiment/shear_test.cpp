@@ -95,14 +95,14 @@ Series shear_test_series() {
 }
 
 ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe,
-                                   ShearTestRecord so_far) {
-  ShearTestRecord record = std::move(so_far);
+                               ShearTestRecord previous) {
+  ShearTestRecord record = std::move(previous);
   const double time_step = sample.settings().time_step;
   const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
   std::size_t k = record.rows.rows(), m = record.measured.rows();
   if (k > kept.size() || m > fixed.size())
     throw std::invalid_argument(
-        fmt::format("an element test of {} rows, {} of them measured, cannot go on from {} and "
+        fmt::format("an element test of {} rows, {} of them measured, cannot continue from {} and "
                     "{}",
                     kept.size(), fixed.size(), k, m));
   std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);

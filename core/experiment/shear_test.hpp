@@ -52,9 +52,9 @@ using RowObserver = std::function<void(std::int64_t steps, const Assembly& assem
 
 /// Shears a sample, from a linear velocity field on, and records it. The mean stress is that of the bulk with its
 /// kinetic part (see bulk_mean_stress). The inertial number uses this mean stress, so it stays finite when all contacts
-/// open. To continue a stopped test, pass its record as `so_far` and the sample in its state at the last row. Throws
-/// NumericalFailure, and std::invalid_argument if `so_far` has more rows than the test.
+/// open. To continue a stopped test, pass its record as `previous` and the sample in its state at the last row. Throws
+/// NumericalFailure, and std::invalid_argument if `previous` has more rows than the test.
 ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe = {},
-                                   ShearTestRecord so_far = {});
+                               ShearTestRecord previous = {});
 
 }  // namespace flowslide

@@ -10,9 +10,9 @@ namespace flowslide {
 /// Throws std::invalid_argument unless `allowed`. The message gives the name, its value, the allowed range and the
 /// remedy.
 inline void require(bool allowed, const std::string& name, double value, const std::string& range,
-                    const std::string& mend) {
+                    const std::string& remedy) {
   if (allowed) return;
-  throw std::invalid_argument(fmt::format("{} is {}; allowed: {}. {}", name, value, range, mend));
+  throw std::invalid_argument(fmt::format("{} is {}; allowed: {}. {}", name, value, range, remedy));
 }
 
 }  // namespace flowslide

@@ -47,7 +47,7 @@ std::unique_ptr<Sample> read_closed_form_sample(const Configuration& configurati
     sample.normal_stress = initial_normal_stress(slope);
     return sample;
   };
-  return as_written_by_user("[" + name + "]", [&]() -> std::unique_ptr<Sample> {
+  return as_written_by_user(configuration.place_of({name, "slope"}), [&]() -> std::unique_ptr<Sample> {
     if (name == "elastic") return std::make_unique<ElasticSample>(in_balance(read_elastic(configuration)));
     if (name == "critical_state")
       return std::make_unique<CriticalStateSample>(in_balance(read_critical_state(configuration)));

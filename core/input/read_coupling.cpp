@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "configuration/error.hpp"
 #include "configuration/tables.hpp"
 #include "experiment/loading_record.hpp"
 #include "input/read_loading_table.hpp"
@@ -20,7 +21,9 @@ ConstantRate read_constant_rate(const Tables& table) {
   if (table.has("duration")) loading.duration = table.positive("duration", dimension::time);
   if (!table.has("final_change")) return loading;
   const double final_change = table.quantity("final_change", dimension::stress);
-  if (table.has("duration")) table.refuse("final_change", "duration is given as well", "leave one of them out");
+  if (table.has("duration"))
+    table.refuse("final_change", fmt::format("conflicts with \"{}\", which is given too", table.key("duration")),
+                 "leave one of them out");
   loading.duration = final_change / loading.rate;
   if (!(loading.duration > 0.0 && std::isfinite(loading.duration)))
     table.refuse("final_change", fmt::format("is never reached at the rate {} Pa/s", loading.rate),
@@ -29,11 +32,16 @@ ConstantRate read_constant_rate(const Tables& table) {
 }
 
 std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
-  coupling.accept({"probed_strain", "rested_strain"});
+  coupling.accept({"probed_strain", "rested_strain"}, "it needs rest_stress");
   if (!coupling.has("rest_stress")) return std::nullopt;
   return LiquefiedRest{coupling.positive("rest_stress", dimension::stress),
                        coupling.positive("probed_strain", dimension::dimensionless),
                        coupling.positive("rested_strain", dimension::dimensionless)};
+}
+
+/// Why the keys that the choice at `name` does not read have no effect.
+std::string not_used_by(const Tables& table, const char* name) {
+  return fmt::format("{} = \"{}\" does not use it", name, table.text(name));
 }
 
 /// Refuses dt_G above `limit` (s), the limit of stability of `what`.
@@ -69,7 +77,6 @@ void check_portions(const Tables& table, const SlideSettings& settings, double s
 
 StressHistory read_loading(const Configuration& configuration, const TableNames& tables) {
   const Tables loading(configuration, tables);
-  loading.accept({"change", "rate", "duration", "final_change", "amplitude", "file"});
   const auto constant = [&]() -> StressHistory {
     if (loading.has("change")) return StressTable{{0.0}, {loading.quantity("change", dimension::stress)}};
     return NoChange{};
@@ -78,9 +85,18 @@ StressHistory read_loading(const Configuration& configuration, const TableNames&
   const auto pulse = [&]() -> StressHistory {
     return SinePulse{loading.quantity("amplitude", dimension::stress), loading.positive("duration", dimension::time)};
   };
-  const auto table = [&]() -> StressHistory { return read_loading_table(loading.path("file")); };
-  return loading.choice<std::function<StressHistory()>>(
+  const auto table = [&]() -> StressHistory {
+    const std::filesystem::path file = loading.path("file");
+    try {
+      return read_loading_table(file);
+    } catch (const ConfigurationError& error) {
+      throw ConfigurationError(fmt::format("{}; the key \"{}\" names this file", error.what(), loading.key("file")));
+    }
+  };
+  const StressHistory read = loading.choice<std::function<StressHistory()>>(
       "history", {{"constant", constant}, {"rate", rate}, {"pulse", pulse}, {"table", table}})();
+  loading.accept({"change", "rate", "duration", "final_change", "amplitude", "file"}, not_used_by(loading, "history"));
+  return read;
 }
 
 std::vector<InputTable> loading_inputs(const Configuration& configuration, const TableNames& tables,
@@ -93,7 +109,6 @@ std::vector<InputTable> loading_inputs(const Configuration& configuration, const
 RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
                         double initial_normal_stress) {
   const Tables coupling(configuration, tables);
-  coupling.accept({"inertial_number", "smallest_rate", "smallest_rate_from"});
   const auto number = [&] { return coupling.number("inertial_number", Range::positive()); };
   const auto global = []() -> RateRule { return GlobalRate{}; };
   const auto constant = [&]() -> RateRule {
@@ -107,15 +122,17 @@ RateRule read_rate_rule(const Configuration& configuration, const TableNames& ta
     return rule;
   };
   const auto at_least = [&]() -> RateRule { return GlobalRateAtLeastQuasiStatic{number(), grains}; };
-  return coupling.choice<std::function<RateRule()>>("rate", {{"global", global},
-                                                             {"constant", constant},
-                                                             {"constant_inertial_number", constant_inertial_number},
-                                                             {"at_least_quasi_static", at_least}})();
+  const RateRule read =
+      coupling.choice<std::function<RateRule()>>("rate", {{"global", global},
+                                                          {"constant", constant},
+                                                          {"constant_inertial_number", constant_inertial_number},
+                                                          {"at_least_quasi_static", at_least}})();
+  coupling.accept({"inertial_number", "smallest_rate", "smallest_rate_from"}, not_used_by(coupling, "rate"));
+  return read;
 }
 
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables) {
   const Tables coupling(configuration, tables);
-  coupling.accept({"n_accum"});
   StrainPassing passing;
   passing.time_step = coupling.positive("local_time_step", dimension::time);
   std::int64_t fewest = 1;
@@ -126,6 +143,7 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
                   {"accumulate_and_reset", [&]() -> Rule { return AccumulateAndReset{least()}; }},
                   {"whole_increment", []() -> Rule { return WholeIncrement{}; }},
                   {"variable_time_step", []() -> Rule { return VariableTimeStep{}; }}})();
+  coupling.accept({"n_accum"}, not_used_by(coupling, "passing"));
   passing.most_steps = coupling.integer("most_steps", Range::between(static_cast<double>(fewest), most_steps_allowed));
   return passing;
 }

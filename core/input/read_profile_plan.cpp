@@ -8,11 +8,11 @@ namespace flowslide {
 
 ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key) {
   ProfilePlan plan;
-  configuration.accept("profiles");
+  configuration.accept("profiles", "no run has profile_strains");
   if (!configuration.has(strains_key)) return plan;
   plan.strains = configuration.numbers(strains_key, Range::not_negative());
   if (std::adjacent_find(plan.strains.begin(), plan.strains.end(), std::greater_equal<>()) != plan.strains.end())
-    configuration.refuse(strains_key, "the strains do not grow", "sort them and name each once");
+    configuration.refuse(strains_key, "does not increase", "sort the strains and give each once");
   plan.sublayers = static_cast<int>(configuration.integer("profiles.sublayers", Range::between(2, 1000)));
   plan.snapshots = static_cast<int>(configuration.integer("profiles.snapshots", Range::between(1, 100000)));
   plan.window = configuration.number("profiles.window", Range::not_negative());

@@ -84,7 +84,7 @@ SlopeProperties read_slope(const Configuration& configuration) {
   slope.angle = configuration.quantity("slope.angle", dimension::angle, Range::between(0.0, 1.5));
   slope.hydraulic_conductivity =
       configuration.quantity("slope.hydraulic_conductivity", dimension::velocity, Range::not_negative());
-  as_written_by_user("", [&] { validate(slope); });
+  as_written_by_user(configuration.place_of({"slope"}), [&] { validate(slope); });
   return slope;
 }
 
@@ -127,7 +127,10 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
     check_time_step(configuration, Tables(configuration, preparation).key("time_step"),
                     sample.recipe.packing.smallest_diameter, sample.recipe.material);
-    as_written_by_user("sample " + name, [&] { validate(sample.recipe); });
+    std::vector<std::string> places = tables;
+    places.insert(places.end(), {"preparation", "packing", "material"});
+    as_written_by_user(fmt::format("{}: sample {}", configuration.place_of(places), name),
+                       [&] { validate(sample.recipe); });
     samples.push_back(sample);
   }
   return samples;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/read_shear_test.hpp"
 
+#include <fmt/format.h>
+
 namespace flowslide {
 
 ShearTest read_shear_test(const Configuration& configuration, const TableNames& tables,
@@ -11,7 +13,8 @@ ShearTest read_shear_test(const Configuration& configuration, const TableNames& 
     test.inertial_number = table.number("inertial_number", Range::positive());
     test = for_sample(test, recipe, lattice_packing(recipe.packing).mean_diameter());
     if (table.has("shear_rate"))
-      table.refuse("inertial_number", "the shear rate is given as well", "leave one of them out");
+      table.refuse("inertial_number", fmt::format("conflicts with \"{}\", which is given too", table.key("shear_rate")),
+                   "leave one of them out");
   } else {
     test.shear_rate = table.positive("shear_rate", dimension::rate);
   }

@@ -57,12 +57,12 @@ RunControl::RunControl(const RunLimits& limits, Clock now) : limits_(limits), no
 
 double RunControl::since_start() const { return std::chrono::duration<double>(now_() - start_).count(); }
 
-RunControl::Due RunControl::border() {
+RunControl::Due RunControl::poll() {
   const double now = since_start();
   // The first interval after a checkpoint includes its writing, which longest_write_ already counts.
-  if (!kept_since_border_) longest_exchange_ = std::max(longest_exchange_, now - last_border_);
-  kept_since_border_ = false;
-  last_border_ = now;
+  if (!kept_since_poll_) longest_exchange_ = std::max(longest_exchange_, now - last_poll_);
+  kept_since_poll_ = false;
+  last_poll_ = now;
   const double needed = longest_exchange_ + 2.0 * longest_write_ +
                         std::min(walltime_share * limits_.walltime, longest_reserve);
   int wanted = static_cast<int>(StopSignals::received());
@@ -77,12 +77,12 @@ RunControl::Due RunControl::border() {
 
 void RunControl::kept() {
   last_kept_ = since_start();
-  longest_write_ = std::max(longest_write_, last_kept_ - last_border_);
-  kept_since_border_ = true;
+  longest_write_ = std::max(longest_write_, last_kept_ - last_poll_);
+  kept_since_poll_ = true;
 }
 
-void RunControl::border_of_preparation(const std::function<bool()>& keep) {
-  const Due due = border();
+void RunControl::poll_in_preparation(const std::function<bool()>& keep) {
+  const Due due = poll();
   if (due == Due::nothing) return;
   const bool kept_it = keep();
   kept();

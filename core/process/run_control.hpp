@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// When a run writes a checkpoint, and when it stops. A border is a checkpoint opportunity between two exchanges.
+// When a run writes a checkpoint, and when it stops. The run asks at each checkpoint opportunity, between two
+// exchanges.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -39,16 +40,16 @@ class RunControl {
   enum class Due { nothing, checkpoint, stop };
   /// Call at each checkpoint opportunity; returns what is due. Collective. Stops early: when the remaining wall time is
   /// less than the longest exchange so far plus two checkpoint writes and a reserve of at most 5 s.
-  Due border();
+  Due poll();
   /// Call after a checkpoint was written, or if none is to be written. The checkpoint interval starts again.
   void kept();
   /// The same at a checkpoint opportunity within the preparation of a sample. Calls `keep` if a checkpoint or a stop is
   /// due, and throws Stopped if the run is to stop. `keep` returns whether it wrote a checkpoint to continue from.
-  void border_of_preparation(const std::function<bool()>& keep);
-  /// Why border() returned Due::stop.
+  void poll_in_preparation(const std::function<bool()>& keep);
+  /// Why poll() returned Due::stop.
   StopReason reason() const { return reason_; }
   /// Throws Stopped, with exit code 130 after an interrupt and 75 otherwise. `what` is the last clause of its message:
-  /// "the same command goes on from t = 0.52 s".
+  /// "the same command continues from t = 0.52 s".
   [[noreturn]] void stop(const std::string& what) const;
 
  private:
@@ -58,9 +59,9 @@ class RunControl {
   Clock now_;
   StopSignals signals_;
   std::chrono::steady_clock::time_point start_;
-  double last_border_ = 0.0, last_kept_ = 0.0;         ///< s
+  double last_poll_ = 0.0, last_kept_ = 0.0;             ///< s
   double longest_exchange_ = 0.0, longest_write_ = 0.0;  ///< s
-  bool kept_since_border_ = true;
+  bool kept_since_poll_ = true;
   StopReason reason_ = StopReason::none;
 };
 

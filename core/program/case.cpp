@@ -9,7 +9,8 @@ Provenance PointRun::provenance_now() const {
   Provenance now = provenance;
   now.processor_seconds = provenance.mpi_ranks * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   // NaN for a checkpoint of an older version, which did not record its processor time; the sum is then NaN too.
-  if (const auto& kept = checkpoints.found()) now.processor_seconds += kept->so_far.provenance.processor_seconds;
+  if (const auto& kept = checkpoints.found())
+    now.processor_seconds += kept->partial_result.provenance.processor_seconds;
   return now;
 }
 

@@ -39,7 +39,7 @@ struct PointRun {
   const RunIdentity& identity;
   ProgressStyle progress;
   int threads;                        ///< number of threads of a native engine; 0: the engine decides
-  PointCheckpoints& checkpoints;      ///< the state to continue from; call its border() after each exchange
+  PointCheckpoints& checkpoints;      ///< the state to continue from; call its poll() after each exchange
   std::clock_t begun = std::clock();  ///< processor time of this process at the start of the run
 
   /// `provenance` with the processor time used so far: that stored in the checkpoint, plus that of this process since
@@ -64,7 +64,7 @@ class Case {
   /// ranks make the engine; only the output of the first rank is shown.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
   /// Finds the sample of a run in the cache, or prepares it and stores it there. Collective over the MPI ranks.
-  virtual void prepare(const Point&, const ProgressStyle&, const PreparationBorder&) const {}
+  virtual void prepare(const Point&, const ProgressStyle&, const PreparationPoll&) const {}
   /// Runs a point from its last checkpoint, or from the start, and writes its files. <point>.h5 is written last: with
   /// it the run is complete, and the program deletes its checkpoints. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;

@@ -9,10 +9,12 @@
 #include <iostream>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "claims/claims.hpp"
 #include "configuration/error.hpp"
+#include "input/vocabulary.hpp"
 #include "process/exit_code.hpp"
 #include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
@@ -25,7 +27,7 @@
 #include "record/result_file.hpp"
 #include "run/begin_point.hpp"
 #include "run/cost.hpp"
-#include "run/so_far.hpp"
+#include "run/preliminary_results.hpp"
 #include "run/status.hpp"
 
 namespace flowslide {
@@ -40,6 +42,7 @@ class CaseProgram {
         folder_(folder),
         arguments_(arguments),
         configuration_(layers_of(options, folder / "case.toml")) {
+    describe_vocabulary(configuration_);
     case_.read(configuration_);
     configuration_.reject_unknown();
     points_ = case_.points();
@@ -54,7 +57,7 @@ class CaseProgram {
     if (options_.check) return check();
     if (options_.prepare) return prepare();
     if (options_.status) return status();
-    if (options_.so_far) return write_so_far();
+    if (options_.so_far) return write_preliminary_results();
     warn_of_idle_ranks();
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
     for (const Point& point : points_)
@@ -113,6 +116,7 @@ class CaseProgram {
         << "# the comment after each value names the line or the option that sets it\n";
     for (const std::string& setting : changed_) out << "# changed: " << setting << "\n";
     out << configuration_.resolved_with_origins();
+    print_inherited(out);
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
       out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
@@ -122,13 +126,20 @@ class CaseProgram {
     return to_int(ExitCode::ok);
   }
 
+  /// Prints the values that samples take from other samples, as comments: the text is still a configuration.
+  void print_inherited(std::ostream& out) const {
+    const std::string text = configuration_.inherited_with_origins("sample");
+    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(rest.find('\n') + 1))
+      out << "# " << rest.substr(0, rest.find('\n') + 1);
+  }
+
   int prepare() const {
     RunControl control({options_.checkpoint_interval, options_.max_walltime});
-    const auto border = [&](const std::function<bool()>& keep) { control.border_of_preparation(keep); };
+    const auto poll = [&](const std::function<bool()>& keep) { control.poll_in_preparation(keep); };
     std::set<std::string> prepared{""};
     for (const Point& point : points_)
       if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
-        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), border);
+        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), poll);
     return to_int(ExitCode::ok);
   }
 
@@ -142,7 +153,7 @@ class CaseProgram {
     return to_int(ExitCode::ok);
   }
 
-  int write_so_far() const {
+  int write_preliminary_results() const {
     if (!first_rank()) return to_int(ExitCode::ok);
     const std::string& name = case_.description().name;
     const OutputFolder output = OutputFolder::open_existing(options_.output, name);
@@ -154,7 +165,7 @@ class CaseProgram {
       else
         copy.remove_point(point.name);  // an earlier call with another choice may have written it
     }
-    std::cerr << copy_so_far(output, copy, chosen);
+    std::cerr << copy_preliminary_results(output, copy, chosen);
     finish(copy);
     std::cout << copy.path().string() << "\n";
     return to_int(ExitCode::ok);
@@ -173,7 +184,7 @@ class CaseProgram {
   }
 
   void run_point(const Point& point, RunControl& control) {
-    if (control.border() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
+    if (control.poll() == RunControl::Due::stop) control.stop(fmt::format("{} was not begun", point.name));
     const std::string& case_name = case_.description().name;
     const RunIdentity identity = identity_of(point);
     std::optional<OutputFolder> output;
@@ -199,7 +210,7 @@ class CaseProgram {
       throw;
     } catch (const FileError& error) {  // such as a full disk
       const bool kept = !output->checkpoints(point.name).empty();
-      throw FileError(error.what() + std::string(kept ? "; the same command goes on from its last checkpoint" : ""));
+      throw FileError(error.what() + std::string(kept ? "; the same command continues from its last checkpoint" : ""));
     }
     on_first_rank([&] { output->checkpoints(point.name).remove(); });
   }

@@ -6,21 +6,24 @@
 #include <map>
 
 #include "configuration/error.hpp"
+#include "configuration/tables.hpp"
 #include "record/result_file.hpp"
 
 namespace flowslide {
 
-void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples) {
+void refuse_equal_recipes(const Configuration& configuration,
+                          const std::vector<std::vector<SampleSpecification>>& samples) {
   std::map<std::string, std::size_t> first;  // name and recipe of a sample -> its first replicate
   for (std::size_t replicate = 0; replicate < samples.size(); ++replicate)
     for (const SampleSpecification& sample : samples[replicate]) {
       const auto [known, is_new] = first.emplace(sample.name + "\n" + sample.recipe.text(), replicate);
       if (!is_new)
         throw ConfigurationError(fmt::format(
-            "replicates {} and {} of the sample \"{}\" are the same: both start from seed {} and preparation friction "
+            "{}: replicates {} and {} of the sample \"{}\" are the same: both start from seed {} and preparation "
+            "friction "
             "{}; give sample.{}.seed_offsets one number for each replicate, all of them different",
-            known->second + 1, replicate + 1, sample.name, sample.recipe.packing.seed,
-            sample.recipe.preparation_friction, sample.name));
+            configuration.place_of(with_like(configuration, "sample", sample.name)), known->second + 1, replicate + 1,
+            sample.name, sample.recipe.packing.seed, sample.recipe.preparation_friction, sample.name));
     }
 }
 

@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "configuration/configuration.hpp"
 #include "record/provenance.hpp"
 #include "sample/specification.hpp"
 
 namespace flowslide {
 
 /// Throws ConfigurationError if two replicates start the search for a sample with the same recipe. `samples[r]` are the
-/// samples of replicate r (see read_samples).
-void refuse_equal_recipes(const std::vector<std::vector<SampleSpecification>>& samples);
+/// samples of replicate r (see read_samples). The message names the place of the sample in `configuration`.
+void refuse_equal_recipes(const Configuration& configuration,
+                          const std::vector<std::vector<SampleSpecification>>& samples);
 
 /// Throws ConfigurationError if two results of different replicates use the same sample (see Provenance::sample). This
 /// may happen, because a search for a void ratio increases the seed and may reach a seed of another replicate. Seeds

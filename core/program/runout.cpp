@@ -8,13 +8,16 @@
 #include <limits>
 #include <numeric>
 
+#include "record/gnuplot_table.hpp"
+#include "run/legend.hpp"
+
 namespace flowslide {
 namespace {
 
 constexpr double stress_window = 0.02;  ///< s; shorter, because sigma fluctuates faster than the velocity
 constexpr double rounding = 1e-9;       ///< margin for the rounding of a number of windows
 constexpr int coarse_rows = 25;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Means of a column over windows that overlap by half, to the end of the record. `window`: length of a window, s.
 std::vector<double> running_means(const Series& over_time, const std::string& column, double window) {
@@ -57,7 +60,7 @@ double largest_velocity(const Series& over_time) {
 
 double velocity_at(const Series& over_time, double time) {
   const double half = 0.5 * velocity_window, slack = rounding * velocity_window;
-  if (!(time - half >= -slack && time + half <= end_of(over_time) + slack)) return nothing;
+  if (!(time - half >= -slack && time + half <= end_of(over_time) + slack)) return undefined;
   return mean_over(over_time, "velocity", time - half, time + half);
 }
 
@@ -65,7 +68,7 @@ std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
   const auto* pulse = std::get_if<SinePulse>(&outcome.point.settings.loading);
   const Series& over_time = outcome.measures.over_time;
   const bool stopped = outcome.stop == Stop::sliding_stopped;
-  double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : nothing;
+  double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : undefined;
   if (pulse != nullptr && stopped && std::isnan(after)) after = 0.0;
   return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
           {"lowest_normal_stress", statistics_of(running_means(over_time, "normal_stress", stress_window)).lowest, "Pa",
@@ -96,7 +99,7 @@ std::vector<double> medians_along(const std::vector<SweepMember>& sweep, const s
 double rank_correlation(const std::vector<double>& first, const std::vector<double>& second) {
   const auto is_nan = [](double value) { return std::isnan(value); };
   if (std::any_of(first.begin(), first.end(), is_nan) || std::any_of(second.begin(), second.end(), is_nan))
-    return nothing;
+    return undefined;
   const std::vector<double> x = ranks_of(first), y = ranks_of(second);
   const double middle = 0.5 * static_cast<double>(x.size() + 1);
   const auto moment = [&](const std::vector<double>& a, const std::vector<double>& b) {
@@ -145,6 +148,21 @@ Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::v
       series.columns.insert(series.columns.end(), {median, lowest, highest});
     }
   return series;
+}
+
+void write_sweep(const OutputFolder& output, const std::string& case_name, const Ensembles& slides,
+                 const SweepFigure& figure) {
+  Legend legend;
+  for (const auto& [name, ensemble] : slides) {
+    if (!SlideCase::are_slides(ensemble)) continue;
+    write_table(output.file(name + "_coarse.dat"), {{{"case", case_name}, {"slide", name}}, coarse_band(ensemble)});
+    legend.add(name, figure.label(parameter_of(ensemble, figure.axis.name)));
+  }
+  const auto over_parameter = [&](const char* prefix) { return sweep_of(slides, prefix, figure.axis.name); };
+  const Series sweep =
+      sweep_series(figure.axis, {{"RD", over_parameter("RD_")}, {"RI", over_parameter("RI_")}}, figure.metrics);
+  write_table(output.file("sweep.dat"), {{{"case", case_name}}, sweep});
+  legend.write(output);
 }
 
 }  // namespace flowslide

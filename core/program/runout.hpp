@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Runout of a slope after a pulse: the metrics of one slide, and several slides along a parameter (Figs. 13 and 14).
 #pragma once
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,5 +62,17 @@ Series coarse_band(const Ensemble& ensemble);
 /// slide of the scheme does not have is left out.
 Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::vector<SweepMember>>>& schemes,
                     const std::vector<std::string>& metrics);
+
+/// A figure of RD and RI over one parameter.
+struct SweepFigure {
+  Column axis;                               ///< the parameter, without values
+  std::vector<std::string> metrics;          ///< over the parameter, see sweep_series
+  std::function<std::string(double)> label;  ///< legend of the slides with this value of the parameter
+};
+
+/// Writes the tables of such a figure: <slide>_coarse.dat for each slide (see coarse_band), sweep.dat (see
+/// sweep_series) and legend.txt. Element tests among `slides` are left out.
+void write_sweep(const OutputFolder& output, const std::string& case_name, const Ensembles& slides,
+                 const SweepFigure& figure);
 
 }  // namespace flowslide

@@ -86,6 +86,7 @@ SlideCase::SlideCase(CaseDescription description) : description_(std::move(descr
 }
 
 void SlideCase::read(const Configuration& configuration) {
+  configuration.refuse_renamed("element_test", "shear_test");
   const std::string engine = configuration.text("engine", description_.engines);
   preparation_engine_ = configuration.text("preparation.engine", engine_names());
   slope_ = read_slope(configuration);
@@ -102,13 +103,13 @@ void SlideCase::read(const Configuration& configuration) {
   std::vector<std::vector<SampleSpecification>> all_samples;
   for (int replicate = 0; replicate < replicates; ++replicate)
     all_samples.push_back(read_samples(configuration, slope_, replicate));
-  refuse_equal_recipes(all_samples);
+  refuse_equal_recipes(configuration, all_samples);
   for (int replicate = 0; replicate < replicates; ++replicate) {
-    const auto& samples = all_samples[static_cast<std::size_t>(replicate)];
+    const CommonSettings common{replicate, all_samples[static_cast<std::size_t>(replicate)], slope_, engine};
     for (const std::string& name : configuration.subtables("point")) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
-      SlidePoint read = read_slide_point(configuration, name, replicate, samples, slope_, engine);
+      SlidePoint read = read_slide_point(configuration, name, common);
       if (closed_form_)
         read.point.sample.clear();
       else
@@ -150,11 +151,11 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
                      predicted_steps(settings, planned.stop), settings.passing.time_step);
 }
 
-void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const {
+void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const {
   if (closed_form_) return;
   const SampleSpecification& sample = slide(point.name).sample;
   const auto engine = make_engine(preparation_engine_, "/dev/null", 0, all_ranks());
-  const FoundSample found = find_sample(*engine, sample, sample_cache_folder(), progress, border);
+  const FoundSample found = find_sample(*engine, sample, sample_cache_folder(), progress, poll);
   on_first_rank([&] { print_found_sample(std::cout, sample, found); });
 }
 
@@ -163,13 +164,13 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
   if (closed_form_) {
     loaded.sample = closed_form_();
     loaded.metrics = {{"initial_void_ratio", loaded.sample->void_ratio(), "1", "void ratio of the closed-form sample"}};
-    loaded.name = slide.sample.name;
+    loaded.name = slide.engine;
     return loaded;
   }
   const auto preparing = make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"),
                                      run.threads, all_ranks());
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
-                                        [&](const auto& keep) { run.checkpoints.border_of_preparation(keep); });
+                                        [&](const auto& keep) { run.checkpoints.poll_in_preparation(keep); });
   loaded.metrics = metrics_of(found);
   slide = on_sample(std::move(slide), found.sample.assembly.mean_diameter());
   loaded.name = found.name;
@@ -185,14 +186,14 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
 }
 
 SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, const PointRun& run) const {
-  ShearTestRecord so_far;
+  ShearTestRecord previous;
   std::vector<Shot> shots;
   const std::vector<double> strains_of_shots = picture_strains(running);
   std::int64_t done = 0;
   const std::int64_t steps = running.test->steps(running.settings.passing.time_step);
   if (const auto& found = run.checkpoints.found()) {
     restore(running, [&] { loaded.sample->restore(found->sample); });
-    so_far = {found->so_far.series, found->measured};
+    previous = {found->partial_result.series, found->measured};
     shots = found->shots;
     done = loaded.grains->steps();
   }
@@ -209,11 +210,11 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
     if (shots.size() < strains_of_shots.size() && strain >= strains_of_shots[shots.size()])
       shots.push_back({record.rows.axis.values.back(), strain, assembly});
     progress.update(at, row_text(record.rows));
-    run.checkpoints.border([&] {
+    run.checkpoints.poll([&] {
       return checkpoint(judged(running, loaded, run, records_of(record, Stop::not_yet)), at, record.measured);
     });
   };
-  const ShearTestRecord record = run_shear_test(*loaded.grains, *running.test, observe, std::move(so_far));
+  const ShearTestRecord record = run_shear_test(*loaded.grains, *running.test, observe, std::move(previous));
   progress.finish();
   Records records = records_of(record, Stop::end_shear_strain);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records), steps, record.measured));
@@ -235,7 +236,7 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
     });
     sliding.restore(found->slide->state);
     record.spacing = found->slide->spacing;
-    record.series = found->so_far.series;
+    record.series = found->partial_result.series;
     record.next_time = found->slide->next_time;
     record.next_strain = found->slide->next_strain;
     record.exchanges.restore(found->slide->exchanges);
@@ -254,13 +255,13 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
                                       profiles.series(), record.exchanges},
                       {}};
   };
-  const auto go_on = [&](const SlideState& state) {
+  const auto after_exchange = [&](const SlideState& state) {
     progress.update(state);
     if (loaded.grains) profiles.take(state.strain.shear, *loaded.grains);
-    run.checkpoints.border([&] { return checkpoint(judged(running, loaded, run, records_of(Stop::not_yet))); });
+    run.checkpoints.poll([&] { return checkpoint(judged(running, loaded, run, records_of(Stop::not_yet))); });
     return true;
   };
-  const Stop stop = run_slide(sliding, running.stop, record, go_on);
+  const Stop stop = run_slide(sliding, running.stop, record, after_exchange);
   progress.finish(sliding.state());
   Records records = records_of(stop);
   run.checkpoints.keep_end(checkpoint(result_of(running, loaded, run, records)));

@@ -37,7 +37,7 @@ class SlideCase : public Case {
   /// Names of the band tables of each slide: see finish().
   std::vector<std::string> tables() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
-  void prepare(const Point& point, const ProgressStyle& progress, const PreparationBorder& border) const override;
+  void prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const override;
   /// Runs the point, stores its last state as a checkpoint, and writes <point>.dat, <point>_profiles.dat (if the run
   /// takes profiles) and <point>.h5. If computing the metrics fails, writes the files without them and throws.
   void run(const Point& point, const PointRun& run) const override;
@@ -48,6 +48,9 @@ class SlideCase : public Case {
   /// Writes median and band of the replicates of each slide: <slide>_over_<abscissa>.dat and <slide>_profiles_band.dat.
   /// The tables of points that were left out (see above), and of profiles on a closed-form sample, have no rows.
   void finish(const OutputFolder& output) const override;
+
+  /// Whether the results are of slides. Element tests have no displacement.
+  static bool are_slides(const Ensemble& ensemble) { return ensemble.front().series.has("displacement"); }
 
  protected:
   /// The metrics of one slide or element test. The caller leaves out metrics that are not finite.
@@ -73,8 +76,6 @@ class SlideCase : public Case {
   std::vector<std::string> slide_names() const;
   /// The results of these points, grouped by slide.
   Ensembles results_in(const std::filesystem::path& folder, const std::vector<std::string>& points) const;
-  /// Whether the results are of slides. Element tests have no displacement.
-  static bool are_slides(const Ensemble& ensemble) { return ensemble.front().series.has("displacement"); }
   /// The points that have results in `output`.
   std::vector<std::string> points_in(const OutputFolder& output) const;
 

@@ -53,11 +53,13 @@ std::string engine_of(const Tables& table, const std::string& common) {
 
 void read_test(const Configuration& configuration, std::vector<std::string> tables, SlidePoint& read) {
   const TableNames coupling = within(tables, "coupling", {"coupling"});
-  tables.emplace_back("element_test");
+  tables.emplace_back("shear_test");
   read.test = read_shear_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = Tables(configuration, coupling).positive("local_time_step", dimension::time);
   check_local_time_step(configuration, coupling, read.sample.recipe, read.engine);
-  const auto steps = as_written_by_user("point " + read.name, [&] {
+  std::vector<std::string> places = tables;
+  places.insert(places.end(), coupling.names().begin(), coupling.names().end());
+  const auto steps = as_written_by_user(fmt::format("{}: point {}", configuration.place_of(places), read.name), [&] {
     return static_cast<double>(read.test->steps(read.settings.passing.time_step));
   });
   read.parameters = parameters_of(read, std::nullopt);
@@ -68,15 +70,19 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
 }
 
 std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
-  return fmt::format("sample {} (seed {}), {}, {}, k = {:.3g} m/s, to {:.3g} s", point.sample.name,
-                     point.sample.recipe.packing.seed, scheme, describe(point.settings.loading),
+  const bool closed_form = seconds_per_grain_and_step(point.engine) == 0.0;
+  const std::string sample =
+      closed_form ? fmt::format("closed-form sample {}", point.engine)
+                  : fmt::format("sample {} (seed {})", point.sample.name, point.sample.recipe.packing.seed);
+  return fmt::format("{}, {}, {}, k = {:.3g} m/s, to {:.3g} s", sample, scheme, describe(point.settings.loading),
                      point.settings.slope.hydraulic_conductivity, point.stop.end_time);
 }
 
 /// Checks that depend on several keys. A run that passes them can fail only numerically.
-void check_together(const Tables& table, const SlidePoint& point) {
+/// `place` is where the settings of the point stand (see Configuration::place_of).
+void check_together(const Tables& table, const SlidePoint& point, const std::string& place) {
   const SlideSettings& settings = point.settings;
-  as_written_by_user("point " + point.name, [&] {
+  as_written_by_user(fmt::format("{}: point {}", place, point.name), [&] {
     validate(settings);
     validate(point.stop);
   });
@@ -92,21 +98,19 @@ void check_together(const Tables& table, const SlidePoint& point) {
 
 }  // namespace
 
-SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
-                            const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
-                            const std::string& engine) {
+SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, const CommonSettings& common) {
   const std::vector<std::string> tables = with_like(configuration, "point", name);
   const Tables table(configuration, tables);
   SlidePoint read;
   read.name = name;
-  read.replicate = replicate;
-  read.sample = sample_named(configuration, table.key("sample"), samples);
-  read.point.name = replicate_name(name, replicate);
+  read.replicate = common.replicate;
+  read.sample = sample_named(configuration, table.key("sample"), common.samples);
+  read.point.name = replicate_name(name, common.replicate);
   read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
   read.grains = {lattice_packing(read.sample.recipe.packing).mean_diameter(), read.sample.recipe.material.density};
   read.published = configuration.is_published("point." + name);
-  read.engine = engine_of(table, engine);
+  read.engine = engine_of(table, common.engine);
   read.point.inputs.engine = read.engine;
   if (table.has("final_strain")) {
     read_test(configuration, tables, read);
@@ -116,7 +120,7 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   const std::string scheme = table.text("scheme", configuration.subtables("scheme"));
   const TableNames coupling = within(tables, "coupling", {"scheme." + scheme, "coupling"});
 
-  SlopeProperties own_slope = slope;
+  SlopeProperties own_slope = common.slope;
   if (table.has("hydraulic_conductivity"))
     own_slope.hydraulic_conductivity =
         table.quantity("hydraulic_conductivity", dimension::velocity, Range::not_negative());
@@ -130,7 +134,9 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.stop = read_stop(configuration, within(tables, "stop", {"stop"}));
   read.rows = read_row_spacing(configuration, within(tables, "rows", {"rows"}));
   read.profiles = read_profile_plan(configuration, table.key("profile_strains"));
-  check_together(table, read);
+  std::vector<std::string> places = tables;
+  places.insert(places.end(), {"scheme." + scheme, "coupling", "loading", "stop"});
+  check_together(table, read, configuration.place_of(places));
 
   read.point.description = describe_slide(read, scheme);
   std::optional<double> number;

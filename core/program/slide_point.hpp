@@ -30,19 +30,25 @@ struct SlidePoint {
   bool published = true;  ///< the case has this point; false: the user added it
 };
 
+/// What all points of one replicate of a case share.
+struct CommonSettings {
+  int replicate = 0;                              ///< from 0
+  std::vector<SampleSpecification> samples = {};  ///< of this replicate
+  SlopeProperties slope = {};
+  std::string engine;  ///< name of the engine or of the closed-form sample of the case
+};
+
 /// Reads the table [point.<name>]. Keys of a slide: figures; sample, a name below [sample]; scheme, a name below
 /// [scheme]; and optionally hydraulic_conductivity, profile_strains and engine.
 /// - Order of lookup for coupling: [point.<name>.coupling], [scheme.<scheme>], [coupling]. It includes the optional
 ///   key linear_start.
 /// - Order of lookup for loading, stop and rows: [point.<name>.loading], then [loading], and so on.
 /// - With the key final_strain the point is an element test, which has no scheme. Keys of the test that the point does
-///   not have are read from [element_test] (see read_shear_test), the local time step as above from coupling.
+///   not have are read from [shear_test] (see read_shear_test), the local time step as above from coupling.
 /// - With `like = "other"`, keys that the point does not have are read from [point.other], its tables included.
-/// - The key engine replaces `engine`, the engine of the case, unless `engine` is a closed-form sample.
-/// `samples` are the samples of this replicate. The predicted time depends on the engine. Throws ConfigurationError.
-SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, int replicate,
-                            const std::vector<SampleSpecification>& samples, const SlopeProperties& slope,
-                            const std::string& engine);
+/// - The key engine replaces the engine of the case, unless that is a closed-form sample.
+/// The predicted time depends on the engine. Throws ConfigurationError.
+SlidePoint read_slide_point(const Configuration& configuration, const std::string& name, const CommonSettings& common);
 
 /// The point for the sample that was found. Strain rates that are given by an inertial number are computed with the
 /// mean diameter of this sample, m.

@@ -36,24 +36,30 @@ std::string taken(char* text) {
   return result;
 }
 
-void write_attribute(hid_t object, const std::string& name, const std::string& label, hid_t type, const void* value) {
+/// An attribute of an object. `label` names it in messages.
+struct AttributeName {
+  hid_t object;
+  const std::string& name;
+  std::string label;
+};
+
+void write_attribute(const AttributeName& at, hid_t type, const void* value) {
   const Handle space = scalar();
-  const Handle attribute(
-      check_written(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), label, "create it"),
-      H5Aclose);
-  check_written(H5Awrite(attribute, type, value), label, "write it");
+  const Handle attribute(check_written(H5Acreate2(at.object, at.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                                       at.label, "create it"),
+                         H5Aclose);
+  check_written(H5Awrite(attribute, type, value), at.label, "write it");
 }
 
 /// Reads one value as `memory_type`. Throws CorruptFileError unless the stored type is of the class `expected`.
-void read_attribute(hid_t object, const std::string& name, const std::string& label, H5T_class_t expected,
-                    hid_t memory_type, void* value) {
-  const Handle attribute(check_read(H5Aopen(object, name.c_str(), H5P_DEFAULT), label, "open it"), H5Aclose);
-  const Handle space(check_read(H5Aget_space(attribute), label, "read its shape"), H5Sclose);
-  check_scalar(space, label);
-  const Handle type(check_read(H5Aget_type(attribute), label, "read its type"), H5Tclose);
+void read_attribute(const AttributeName& at, H5T_class_t expected, hid_t memory_type, void* value) {
+  const Handle attribute(check_read(H5Aopen(at.object, at.name.c_str(), H5P_DEFAULT), at.label, "open it"), H5Aclose);
+  const Handle space(check_read(H5Aget_space(attribute), at.label, "read its shape"), H5Sclose);
+  check_scalar(space, at.label);
+  const Handle type(check_read(H5Aget_type(attribute), at.label, "read its type"), H5Tclose);
   if (H5Tget_class(type) != expected || (expected == H5T_STRING && H5Tis_variable_str(type) <= 0))
-    throw CorruptFileError(label + ": a value of an unexpected type");
-  check_read(H5Aread(attribute, memory_type, value), label, "read it");
+    throw CorruptFileError(at.label + ": a value of an unexpected type");
+  check_read(H5Aread(attribute, memory_type, value), at.label, "read it");
 }
 
 }  // namespace
@@ -62,34 +68,34 @@ void Object::set_attribute(const std::string& name, std::string_view text) {
   const std::string label = label_ + "@" + name;
   const std::string value = terminated(text, label);
   const char* const pointer = value.c_str();
-  write_attribute(handle_, name, label, string_type(), &pointer);
+  write_attribute({handle_, name, label}, string_type(), &pointer);
 }
 
 void Object::set_attribute(const std::string& name, std::int64_t value) {
-  write_attribute(handle_, name, label_ + "@" + name, H5T_STD_I64LE, &value);
+  write_attribute({handle_, name, label_ + "@" + name}, H5T_STD_I64LE, &value);
 }
 
 void Object::set_attribute(const std::string& name, double value) {
-  write_attribute(handle_, name, label_ + "@" + name, H5T_IEEE_F64LE, &value);
+  write_attribute({handle_, name, label_ + "@" + name}, H5T_IEEE_F64LE, &value);
 }
 
 bool Object::has_attribute(const std::string& name) const { return H5Aexists(handle_, name.c_str()) > 0; }
 
 std::string Object::text_attribute(const std::string& name) const {
   char* text = nullptr;
-  read_attribute(handle_, name, label_ + "@" + name, H5T_STRING, string_type(), &text);
+  read_attribute({handle_, name, label_ + "@" + name}, H5T_STRING, string_type(), &text);
   return taken(text);
 }
 
 std::int64_t Object::integer_attribute(const std::string& name) const {
   std::int64_t value = 0;
-  read_attribute(handle_, name, label_ + "@" + name, H5T_INTEGER, H5T_NATIVE_INT64, &value);
+  read_attribute({handle_, name, label_ + "@" + name}, H5T_INTEGER, H5T_NATIVE_INT64, &value);
   return value;
 }
 
 double Object::number_attribute(const std::string& name) const {
   double value = 0.0;
-  read_attribute(handle_, name, label_ + "@" + name, H5T_FLOAT, H5T_NATIVE_DOUBLE, &value);
+  read_attribute({handle_, name, label_ + "@" + name}, H5T_FLOAT, H5T_NATIVE_DOUBLE, &value);
   return value;
 }
 

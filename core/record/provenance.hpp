@@ -28,8 +28,8 @@ struct Provenance {
   std::string scale;                   ///< "quick" or "paper"
   std::int64_t seed = 0;
   int replicate = 0;
-  /// Name of the table [sample.<name>] and key of the sample: "loosest 3f...". Equal for runs on one sample. A
-  /// closed-form sample has no key.
+  /// Name of the table [sample.<name>] and key of the sample: "loosest 3f...". Equal for runs on one sample. Of
+  /// a closed-form sample its name alone: "elastic".
   std::string sample;
   /// Predicted processor time, s, if all samples are in the cache. NaN: not recorded.
   double predicted_seconds = std::numeric_limits<double>::quiet_NaN();

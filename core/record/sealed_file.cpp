@@ -18,10 +18,10 @@ void write_sealed(const std::filesystem::path& path, std::string_view content, I
   write_atomically(path, bytes, if_exists);
 }
 
-std::string read_sealed(const std::filesystem::path& path, std::string_view mend) {
+std::string read_sealed(const std::filesystem::path& path, std::string_view remedy) {
   std::string bytes = read_file(path);
   const auto refuse = [&](std::string_view reason) {
-    throw CorruptFileError(fmt::format("{} {}; {}", path.string(), reason, mend));
+    throw CorruptFileError(fmt::format("{} {}; {}", path.string(), reason, remedy));
   };
   if (bytes.size() < seal_size) refuse("is truncated");
   const std::string seal = bytes.substr(bytes.size() - seal_size);

@@ -17,7 +17,7 @@ inline constexpr std::size_t seal_size = 49;
 void write_sealed(const std::filesystem::path& path, std::string_view content, IfExists if_exists);
 
 /// The content without its seal. Throws CorruptFileError if the seal is missing or if any bit of the file has changed.
-/// `mend` is the remedy that ends the message.
-std::string read_sealed(const std::filesystem::path& path, std::string_view mend);
+/// `remedy` ends the message: what the user can do.
+std::string read_sealed(const std::filesystem::path& path, std::string_view remedy);
 
 }  // namespace flowslide

@@ -187,7 +187,7 @@ SampleState read_sample(const hdf5::Group& parent) {
 }  // namespace
 
 void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint) {
-  write_result(root, checkpoint.so_far);
+  write_result(root, checkpoint.partial_result);
   auto group = root.create_group(part);
   group.set_attribute("share_done", checkpoint.share_done);
   write_sample(group, checkpoint.sample);
@@ -204,7 +204,7 @@ void write_checkpoint(hdf5::Group& root, const Checkpoint& checkpoint) {
 
 Checkpoint read_checkpoint(const hdf5::Group& root) {
   Checkpoint checkpoint;
-  checkpoint.so_far = read_result(root);
+  checkpoint.partial_result = read_result(root);
   const auto group = root.group(part);
   checkpoint.share_done = group.number_attribute("share_done");
   checkpoint.sample = read_sample(group);

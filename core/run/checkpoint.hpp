@@ -31,7 +31,7 @@ struct Shot {
 
 /// State of a run. It contains no random generator: after the preparation a run uses no random numbers.
 struct Checkpoint {
-  Result so_far;                         ///< incomplete result: the rows up to now and what determines them
+  Result partial_result;                 ///< incomplete result: the rows up to now and what determines them
   double share_done = 0.0;               ///< estimated fraction of the run that is done, 0 to 1
   SampleState sample;
   std::optional<SlideCheckpoint> slide;  ///< empty for an element test, whose state is that of its last row

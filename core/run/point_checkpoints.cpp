@@ -33,25 +33,26 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
     throw CorruptFileError(
         fmt::format("{}; begin the point anew with --afresh, or choose another folder with --output", error.what()));
   }
-  const std::string difference = identity.difference_from(RunIdentity(found_->so_far));
+  const std::string difference = identity.difference_from(RunIdentity(found_->partial_result));
   if (!difference.empty())
     throw Refused(
         fmt::format("the checkpoint {} is of another run ({}); {}", store_.path(0).string(), difference, begin_anew));
-  say(fmt::format("{}: goes on from its checkpoint at {}", label(), place_of(*found_)));
+  say(fmt::format("{}: continues from its checkpoint at {}", label(), place_of(*found_)));
 }
 
 std::string PointCheckpoints::label() const {
-  return found_ ? found_->so_far.provenance.case_name + " " + found_->so_far.provenance.point : std::string("it");
+  return found_ ? found_->partial_result.provenance.case_name + " " + found_->partial_result.provenance.point
+                : std::string("it");
 }
 
-void PointCheckpoints::border(const std::function<Checkpoint()>& now) {
-  const RunControl::Due due = control_.border();
+void PointCheckpoints::poll(const std::function<Checkpoint()>& now) {
+  const RunControl::Due due = control_.poll();
   if (due == RunControl::Due::nothing) return;
   const Checkpoint checkpoint = now();
   keep(checkpoint, due == RunControl::Due::stop);
   control_.kept();
   if (due == RunControl::Due::stop)
-    control_.stop(fmt::format("the same command goes on from {}", place_of(checkpoint)));
+    control_.stop(fmt::format("the same command continues from {}", place_of(checkpoint)));
 }
 
 void PointCheckpoints::keep(const Checkpoint& checkpoint, bool stopping) {
@@ -75,7 +76,7 @@ std::string place_of(const Checkpoint& checkpoint) {
     return fmt::format("t = {:.4g} s, v = {:.3g} m/s, sigma = {:.4g} Pa", state.time, state.velocity,
                        state.stress.normal);
   }
-  const Series& rows = checkpoint.so_far.series;
+  const Series& rows = checkpoint.partial_result.series;
   if (rows.rows() == 0) return "its start";
   return fmt::format("t = {:.4g} s, gamma = {:.3g} %, sigma = {:.4g} Pa", rows.axis.values.back(),
                      100.0 * rows.column("shear_strain").values.back(), rows.column("normal_stress").values.back());

@@ -26,9 +26,9 @@ class PointCheckpoints {
   /// Call at each checkpoint opportunity between two exchanges. Writes the checkpoint that `now` returns if it is due,
   /// and throws Stopped if the run is to stop. If the checkpoint cannot be written (a full disk), a run that continues
   /// reports this on stderr, and a run that stops throws FileError.
-  void border(const std::function<Checkpoint()>& now);
+  void poll(const std::function<Checkpoint()>& now);
   /// The same while a sample is prepared, see RunControl.
-  void border_of_preparation(const std::function<bool()>& keep) { control_.border_of_preparation(keep); }
+  void poll_in_preparation(const std::function<bool()>& keep) { control_.poll_in_preparation(keep); }
   /// Writes the state at the end of a run, before results are computed from it. If their computation fails, the same
   /// command continues from this state.
   void keep_end(const Checkpoint& end) { keep(end, false); }

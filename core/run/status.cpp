@@ -29,11 +29,11 @@ void read_last_checkpoint(const CheckpointStore& store, const RunIdentity& ident
     store.read_newest(
         [&](const hdf5::Group& root) {
           const Checkpoint checkpoint = read_checkpoint(root);
-          const std::string difference = identity.difference_from(RunIdentity(checkpoint.so_far));
+          const std::string difference = identity.difference_from(RunIdentity(checkpoint.partial_result));
           status.state = difference.empty() ? "stopped" : "outdated";
           status.place = difference.empty() ? place_of(checkpoint) : difference;
           status.share_done = checkpoint.share_done;
-          status.sample = health_line(checkpoint.so_far.metrics);
+          status.sample = health_line(checkpoint.partial_result.metrics);
         },
         [](std::string_view) {});
   } catch (const CorruptFileError&) {

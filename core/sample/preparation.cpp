@@ -99,8 +99,8 @@ class Preparation {
 
   void continue_from(const PreparationState& from) {
     if (from.assembly.size() != grains_)
-      throw std::invalid_argument(fmt::format("a preparation of {} grains cannot go on from a state of {}", grains_,
-                                              from.assembly.size()));
+      throw std::invalid_argument(
+          fmt::format("a preparation of {} grains cannot continue from a state of {}", grains_, from.assembly.size()));
     stage_ = from.stage;
     steps_ = from.steps;
     stage_start_ = from.stage_start;

@@ -13,7 +13,7 @@ namespace flowslide {
 /// Called at each checkpoint opportunity while a sample is prepared or waited for. It may call `keep`, which writes the
 /// state of the preparation and returns whether this succeeded. It may throw to end the preparation. Collective over
 /// the MPI ranks.
-using PreparationBorder = std::function<void(const std::function<bool()>& keep)>;
+using PreparationPoll = std::function<void(const std::function<bool()>& keep)>;
 
 /// Checkpoints of the preparation of one sample: <key>.checkpoint_*.h5 in the folder of samples until the preparation
 /// ends. Errors of reading and writing are reported on stderr; they cost time only. Collective over the MPI ranks.

@@ -61,7 +61,7 @@ PreparedSample prepared(const StoredSample& stored) {
 /// Returns the lock of a sample on the first rank, and an empty optional on the others. Waits until no other process
 /// holds the lock; a message says so once.
 std::optional<FileLock> wait_for(const SampleStore& store, const std::string& key, const std::string& label,
-                                 const ProgressStyle& style, const PreparationBorder& border) {
+                                 const ProgressStyle& style, const PreparationPoll& poll) {
   std::optional<FileLock> lock;
   for (bool reported = false;; reported = true) {
     on_first_rank([&] {
@@ -77,7 +77,7 @@ std::optional<FileLock> wait_for(const SampleStore& store, const std::string& ke
         style.say(fmt::format("{}: waits for {}, which prepares this sample ({})", label, store.holder(key), key));
     });
     if (same_on_all_ranks(lock.has_value())) return lock;
-    if (border) border([] { return false; });
+    if (poll) poll([] { return false; });
     std::this_thread::sleep_for(time_between_tries);
   }
 }
@@ -89,29 +89,6 @@ void say_if_new(const std::filesystem::path& cache, const ProgressStyle& style) 
   std::ostream& out = style.stream != nullptr ? *style.stream : std::cerr;
   out << fmt::format("flowslide: prepared samples are kept in {}, a new folder; set FLOWSLIDE_CACHE to use another\n",
                      std::filesystem::absolute(cache, failure).string());
-}
-
-PreparedSample prepare_with_progress(Engine& engine, const SampleRecipe& recipe, const std::string& label,
-                                     const ProgressStyle& style, PreparationCheckpoints& checkpoints,
-                                     const PreparationBorder& border) {
-  const std::optional<PreparationState> from = checkpoints.find();
-  const std::int64_t done = from ? from->steps : 0;
-  Progress progress(label, std::max(typical_steps, done), style, done);
-  if (from) progress.message(fmt::format("{}: goes on in {}", label, name_of_stage(from->stage)));
-  const auto observe = [&](const PreparationProgress& now) {
-    if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
-    progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
-                                           now.stress.normal));
-    if (border) border([&] { return checkpoints.keep(now.state()); });
-  };
-  try {
-    PreparedSample sample = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
-    progress.finish(fmt::format("e0 = {:.4f}", sample.void_ratio));
-    return sample;
-  } catch (const NumericalFailure& failure) {
-    progress.message(fmt::format("{}: failed: {}", label, failure.what()));
-    throw;
-  }
 }
 
 /// The record of a failed preparation. Its text includes `most_steps`, because more steps may let the same recipe
@@ -126,24 +103,47 @@ struct SampleProvider {
   const SampleStore& store;
   const std::filesystem::path& folder;
   const ProgressStyle& style;
-  const PreparationBorder& border;
+  const PreparationPoll& poll;
 
   PreparedSample sample(const SampleRecipe& recipe, const std::string& label) const {
     const std::string key = cache_key(recipe, preparation_identity(engine.name(), engine.version()));
     // First without a lock: the cache may belong to another user or be read-only.
     if (auto kept = find(recipe, key)) return *std::move(kept);
     on_first_rank([&] { say_if_new(folder, style); });
-    const std::optional<FileLock> lock = wait_for(store, key, label, style, border);
+    const std::optional<FileLock> lock = wait_for(store, key, label, style, poll);
     if (auto kept = find(recipe, key)) return *std::move(kept);
     PreparationCheckpoints checkpoints(folder, key);
     try {
-      PreparedSample made = prepare_with_progress(engine, recipe, label, style, checkpoints, border);
+      PreparedSample made = prepare(recipe, label, checkpoints);
       on_first_rank([&] { store.put(key, stored(made, recipe.text())); });
       checkpoints.remove();
       return made;
     } catch (const NumericalFailure& failure) {
       on_first_rank([&] { store.put_failure(key, failed(recipe, failure.what())); });
       checkpoints.remove();
+      throw;
+    }
+  }
+
+  /// Prepares the sample, from its last checkpoint if it has one. Shows progress and writes checkpoints.
+  PreparedSample prepare(const SampleRecipe& recipe, const std::string& label,
+                         PreparationCheckpoints& checkpoints) const {
+    const std::optional<PreparationState> from = checkpoints.find();
+    const std::int64_t done = from ? from->steps : 0;
+    Progress progress(label, std::max(typical_steps, done), style, done);
+    if (from) progress.message(fmt::format("{}: continues in {}", label, name_of_stage(from->stage)));
+    const auto observe = [&](const PreparationProgress& now) {
+      if (now.steps > typical_steps) progress.set_total(now.steps + typical_steps / 10);
+      progress.update(now.steps, fmt::format("{}, e {:.3f}, sigma {:.0f} Pa", name_of_stage(now.stage), now.void_ratio,
+                                             now.stress.normal));
+      if (poll) poll([&] { return checkpoints.keep(now.state()); });
+    };
+    try {
+      PreparedSample made = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+      progress.finish(fmt::format("e0 = {:.4f}", made.void_ratio));
+      return made;
+    } catch (const NumericalFailure& failure) {
+      progress.message(fmt::format("{}: failed: {}", label, failure.what()));
       throw;
     }
   }
@@ -201,9 +201,9 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& preparation
 }
 
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
-                        const ProgressStyle& style, const PreparationBorder& border) {
+                        const ProgressStyle& style, const PreparationPoll& poll) {
   const SampleStore store(cache);
-  const SampleProvider provider{engine, store, cache, style, border};
+  const SampleProvider provider{engine, store, cache, style, poll};
   FoundSample found;
   const auto prepare = [&](const SampleRecipe& recipe) {
     found.sample = provider.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,

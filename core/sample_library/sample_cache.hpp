@@ -37,11 +37,11 @@ std::string cache_key(const SampleRecipe& recipe, const std::string& preparation
 
 /// Searches for a sample with the void ratio of the specification (see search_void_ratio). Caches every trial, failures
 /// included, under a hash of recipe, engine and procedure. Repeating a search replays the same decisions without
-/// running DEM. An uneven sample (see unevenness) counts as a failure unless the specification allows it. `border` is
+/// running DEM. An uneven sample (see unevenness) counts as a failure unless the specification allows it. `poll` is
 /// called at each checkpoint opportunity while a sample is prepared or waited for; the next call continues from the
-/// checkpoint that `border` keeps. Collective over the MPI ranks. Throws NumericalFailure if no trial fits,
+/// checkpoint that `poll` keeps. Collective over the MPI ranks. Throws NumericalFailure if no trial fits,
 /// CorruptFileError for a damaged file of the cache, and FileError for a cache that cannot be written.
 FoundSample find_sample(Engine& engine, const SampleSpecification& specification, const std::filesystem::path& cache,
-                        const ProgressStyle& style, const PreparationBorder& border = {});
+                        const ProgressStyle& style, const PreparationPoll& poll = {});
 
 }  // namespace flowslide

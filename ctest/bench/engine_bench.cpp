@@ -98,7 +98,7 @@ struct Options {
   int threads = 1, rounds = 0;
 };
 
-/// Our options; what is left goes to Google Benchmark. Repetitions alternate unless its options say otherwise.
+/// Options of this program. The rest goes to Google Benchmark. Repetitions alternate unless its options say otherwise.
 Options read_options(int argc, char** argv) {
   Options options;
   CLI::App app("Times of DEM engines side by side");

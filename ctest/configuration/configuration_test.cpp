@@ -60,8 +60,8 @@ TEST(Configuration, RefusesByARuleOverSeveralKeys) {
   const auto c = Configuration::from_text("dt = \"1 s\"\n", "case.toml");
   EXPECT_EQ(message_of<ConfigurationError>([&] { c.refuse("dt", "is above 0.65 Rayleigh times, 4e-6 s", "lower it"); }),
             "case.toml:1:6: dt = \"1 s\" is above 0.65 Rayleigh times, 4e-6 s; lower it");
-  EXPECT_EQ(message_of<ConfigurationError>([&] { c.refuse("absent", "is odd", "mend it"); }),
-            "case.toml: absent is odd; mend it");
+  EXPECT_EQ(message_of<ConfigurationError>([&] { c.refuse("absent", "is odd", "make it even"); }),
+            "case.toml: absent is odd; make it even");
 }
 
 TEST(Configuration, KnowsWhatWasAcceptedOrAskedFor) {

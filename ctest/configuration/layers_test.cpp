@@ -173,6 +173,46 @@ TEST_F(ConfigurationOnABase, TellsTheBaseFromTheUsersTables) {
   EXPECT_TRUE(c.changes().empty());
 }
 
+TEST_F(ConfigurationOnABase, SaysWhichRunsUseAKeyThatThisCaseDoesNot) {
+  const auto complaint_about = [&](const std::string& toml) {
+    const Configuration c = read_on("[sample.a]\ndrag = 1\n[sample.b]\ndrag = 1\n", "").overlaid(toml, "user.toml");
+    c.subtables("sample");
+    c.integer("sample.a.drag");
+    c.describe_users("stop.end_time", "slides");
+    c.describe_users("point.*.stop.end_time", "slides");
+    return complaint([&] { c.reject_unknown(); });
+  };
+  EXPECT_EQ(complaint_about("[stop]\nend_time = 3\n"),
+            "user.toml:1:2: the table \"stop\" is known, but no run of this case uses it: it belongs to slides");
+  EXPECT_EQ(complaint_about("point.mine.stop.end_time = 3\n"),
+            "user.toml:1:1: the table \"point\" is known, but no run of this case uses it: it belongs to slides");
+  EXPECT_EQ(complaint_about("sample.b.drag = 3\n"),
+            "user.toml:1:10: the key \"sample.b.drag\" is known, but no run of this case uses it: it belongs to "
+            "[sample.b], which needs a run with sample = \"b\"");
+  EXPECT_CONTAINS(complaint_about("sample.b.darg = 3\n"), "unknown key \"sample.b.darg\"; did you mean");
+  EXPECT_CONTAINS(complaint_about("[halt]\nend_time = 3\n"), "unknown table \"halt\"");
+}
+
+TEST_F(ConfigurationOnABase, RefusesAUsersValueThatHasNoEffectForAReason) {
+  const Configuration c = read_on("a = 1\nb = 1\nt.c = 1\n", "").overlaid("a = 2\nb = 2\n[t]\nc = 2\n", "user.toml");
+  c.accept("a", "it needs d");
+  c.accept("b", "it needs d");
+  c.accept("t");
+  EXPECT_EQ(c.integer("b"), 2);
+  EXPECT_EQ(complaint([&] { c.reject_unknown(); }), "user.toml:1:1: \"a\" has no effect: it needs d; remove it");
+  const Configuration published = read_on("a = 1\n", "");
+  published.accept("a", "it needs d");
+  EXPECT_NO_THROW(published.reject_unknown());  // a default of the case
+}
+
+TEST_F(ConfigurationOnABase, NamesThePlaceOfTheUsersValuesBelowATable) {
+  const Configuration c = read_on("[slope]\nangle = 1\ndepth = 1\n", "");
+  EXPECT_CONTAINS(c.place_of({"slope"}), "paper.toml:1:2: [slope]");
+  EXPECT_EQ(c.overlaid("slope.depth = 2\n", "user.toml").place_of({"slope"}), "user.toml:1:7: slope.depth = 2");
+  EXPECT_EQ(c.users_table_of("slope.own"), "");
+  EXPECT_EQ(c.overlaid("[point.mine]\na = 2\n", "user.toml").users_table_of("point.mine.stop"), "point.mine");
+}
+
 TEST_F(ConfigurationOnABase, NamesTheLayerOfEachValue) {
   scratch_.write("paper.toml", "a = 1\nb = 1\n");
   const auto case_file = scratch_.write("shear/case.toml", "base = '../paper.toml'\nb = 2\nc = [1]\n");
@@ -209,7 +249,7 @@ TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
                     read("", "", {{"point.mine.a", "1", "--set point.mine.a=1"}}).text("point.mine.scheme");
                   }),
                   "--set point.mine.a=1: [point.mine] lacks");
-  // A table of the case that the user's file goes on with is the case's.
+  // A table that both the case and the user's file have belongs to the case.
   EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("sample.shape"); }),
                   "case.toml: the key \"sample.shape\" is missing");
   EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("title"); }), "case.toml: the key \"title\" is missing");

@@ -92,7 +92,8 @@ TEST(Quantity, ProposesTheNearestUnit) {
 
 TEST(Quantity, RefusesWhatIsNoQuantity) {
   EXPECT_CONTAINS(complaint("", dimension::stress), "does not begin with a number");
-  EXPECT_CONTAINS(complaint("kPa", dimension::stress), "does not begin with a number");
+  EXPECT_CONTAINS(complaint("kPa", dimension::stress), "does not begin with a number; write, for example, \"3 kPa\"");
+  EXPECT_CONTAINS(complaint("high", dimension::dimensionless), "write, for example, \"0.25\"");
   EXPECT_CONTAINS(complaint("+-3 kPa", dimension::stress), "does not begin with a number");
   EXPECT_CONTAINS(complaint("nan Pa", dimension::stress), "not a finite number");
   EXPECT_CONTAINS(complaint("inf Pa", dimension::stress), "not a finite number");

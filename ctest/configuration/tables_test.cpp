@@ -25,7 +25,7 @@ TEST(Tables, ReadAKeyFromTheFirstTableThatHasIt) {
   EXPECT_NO_THROW(configuration.reject_unknown());  // the key that is overridden is known, too
 }
 
-TEST(Tables, RefuseAValueOfTheUsersThatNobodyReads) {
+TEST(Tables, RefuseAUsersValueWithoutEffect) {
   const ScratchFolder folder;
   const auto file = folder.write("case.toml", text);
   const auto read = [&](const std::string& key) {
@@ -40,13 +40,13 @@ TEST(Tables, RefuseAValueOfTheUsersThatNobodyReads) {
             "nearer key, such as \"point.near.coupling.time_step\"; set that key instead");
 }
 
-TEST(Tables, MissAKeyInTheLast) {
+TEST(Tables, NameTheLastTableIfAKeyIsMissing) {
   const auto configuration = Configuration::from_text(text);
   const Tables tables(configuration, {"point.near.coupling", "coupling"});
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { tables.positive("rate", dimension::rate); }), "coupling.rate");
 }
 
-TEST(Tables, MissAKeyInTheFirstThatIsTheUsers) {
+TEST(Tables, NameTheUsersTableIfAKeyIsMissing) {
   const ScratchFolder folder;
   const auto file = folder.write("case.toml", text);
   const auto own = folder.write("mine.toml", "[point.mine]\nfigures = '3'\n[scheme.mine]\nn_accum = 3\n");
@@ -73,7 +73,7 @@ TEST(Tables, AcceptKeysInEach) {
   EXPECT_NO_THROW(configuration.reject_unknown());
 }
 
-TEST(Tables, StandBeforeThoseThatTheyAreLike) {
+TEST(Tables, AreReadBeforeTheTableThatTheyAreLike) {
   const auto configuration = Configuration::from_text(R"([sample]
 a = { n = 1 }
 b = { like = 'a' }
@@ -94,6 +94,20 @@ h = { like = 'g' }
             (std::vector<std::string>{"sample.b.packing", "sample.a.packing", "packing"}));
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { with_like(configuration, "sample", "c"); }),
                   "sample.c.like = 'd' is not allowed");
+}
+
+TEST(Tables, RecordsWhatATableTakesFromAnotherByLike) {
+  const auto configuration = Configuration::from_text(
+      "[sample.a]\ndrag = 1\nmode = 1\n[sample.b]\nlike = 'a'\nmode = 2\n[packing]\nsize = 3\n", "case.toml");
+  const std::vector<std::string> tables = with_like(configuration, "sample", "b");
+  Tables(configuration, tables).integer("drag", Range::any());
+  Tables(configuration, tables).integer("mode", Range::any());
+  Tables(configuration, within(tables, "packing", {"packing"})).integer("size", Range::any());
+  const std::string inherited = configuration.inherited_with_origins("sample");
+  EXPECT_CONTAINS(inherited, "sample.b.drag = 1 ");
+  EXPECT_CONTAINS(inherited, " # like sample.a, case.toml:2\n");
+  EXPECT_EQ(inherited.find("mode"), std::string::npos);
+  EXPECT_EQ(inherited.find("size"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What every engine must do: the same tests run over each of them, and again on two MPI ranks.
+// The contract of all engines: the same tests run on each engine, and again on two MPI ranks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Rounding {
   /// One evaluation of the law. Positions folded by a period of 36 mm lose one unit in the last place, 7e-18 m, against
   /// overlaps of 1e-5 m. Float: some ten operations rounded to 6e-8 of their results.
   double of_forces;
-  /// Stress by two ways, each a sum of forces that were evaluated anew.
+  /// The stress computed in two ways, each from newly evaluated forces.
   double of_stress;
 };
 constexpr Rounding in_double{1e-12, 1e-10, 1e-9}, in_float{1e-6, 1e-6, 1e-6};

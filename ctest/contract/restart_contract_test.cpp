@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A sample that goes on from a stored state, on every engine, and again on two MPI ranks.
+// A sample that continues from a stored state, on every engine, and again on two MPI ranks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST_P(RestartContract, GoesOnFromAStoredState) {
   EXPECT_EQ(other.time(), whole.time());
   EXPECT_EQ(other.steps(), whole.steps());
   EXPECT_EQ(other.shear_strain(), whole.shear_strain());
-  EXPECT_NE(expected.shear, state.number("shear_stress"));  // it has gone on
+  EXPECT_NE(expected.shear, state.number("shear_stress"));  // the strain has changed it
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names_of_build()),

@@ -108,7 +108,7 @@ TEST(ProfileRecord, LeavesOutProfilesOfASampleThatBearsNothing) {
   record.take(0.0, sample);
   record.take(0.1, sample);
   EXPECT_EQ(record.sums().size(), 2U);
-  EXPECT_TRUE(record.series().columns.empty());  // a share of 0 is no number, and no file takes it
+  EXPECT_TRUE(record.series().columns.empty());  // relative to a stress of 0, values would be NaN
 }
 
 TEST(ProfileRecord, FailsWithASublayerThatHoldsNoSolid) {

@@ -30,7 +30,7 @@ CriticalStateSample loose() {
   return CriticalStateSample(properties);
 }
 
-/// A slide with rows of a spacing, and what was gathered of it.
+/// A slide with rows of a given spacing, and the measures gathered during it.
 SlideRecord slide(const RowSpacing& spacing, double mean_stress_interval = 5e-4) {
   CriticalStateSample sample = loose();
   Slide slide(pulsed(), sample);

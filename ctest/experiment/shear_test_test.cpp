@@ -75,7 +75,7 @@ class RecordOfALattice : public testing::Test {
   }
   const std::vector<double>& column(const char* name) const { return series_.column(name).values; }
 
-  /// The lattice after some steps, so that it knows the forces on its grains, as a prepared sample does.
+  /// The lattice after some steps. Like a prepared sample it then stores the forces on its grains.
   static Assembly settled(Engine& engine) {
     DemSample sample(engine, touching_lattice(), {Material{}, time_step, 0.0});
     sample.strain({{0.0, 0.0}, 20, time_step});
@@ -83,7 +83,7 @@ class RecordOfALattice : public testing::Test {
   }
 
   const ShearTest test_{rate, rate * 400 * time_step, 10};
-  std::unique_ptr<Engine> engine_ = make_engine(engine_names_of_build().front(), testing::TempDir() + "element_test.log");
+  std::unique_ptr<Engine> engine_ = make_engine(engine_names_of_build().front(), testing::TempDir() + "shear_test.log");
   const Assembly lattice_ = settled(*engine_);
   DemSample sample_{*engine_, lattice_, {Material{}, time_step, 0.0}};
   const CellStress stress_before_ = sample_.stress();
@@ -123,7 +123,7 @@ TEST_F(RecordOfALattice, HasTheStressThatBagiGives) {
 
 TEST_F(RecordOfALattice, BeginsWithTheStressAtRest) {
   ASSERT_GT(stress_before_.normal, 1e3);  // Pa
-  // Loading what was saved changes nothing but rounding.
+  // Loading the saved state changes only rounding.
   EXPECT_NEAR(column("normal_stress").front(), stress_before_.normal, 1e-12 * stress_before_.normal);
   EXPECT_NEAR(column("shear_stress").front(), stress_before_.shear, 1e-12 * stress_before_.normal);
 }
@@ -190,7 +190,7 @@ TEST(ShearTestRecord, MeasuresTheSameWhateverRowsAreKept) {
 TEST(ShearTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
   Assembly gas = touching_lattice();
   for (double& radius : gas.radius) radius *= 0.9;
-  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "element_test.log");
+  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "shear_test.log");
   DemSample sample(*engine, gas, {Material{}, time_step, 0.0});
   const Series series = run_shear_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
   EXPECT_NO_THROW(series.check());

@@ -144,7 +144,7 @@ TEST(RunSlide, GoesOnWhereItWasInterruptedAsIfItHadNotBeen) {
 }
 
 TEST(RunSlide, KeepsWhereItsRowsAreDueWhenTheStrainRunsBack) {
-  // A swing: between two rows the strain falls below the last of them, and no row may be taken twice.
+  // The strain oscillates: between two rows it falls below the last row. No strain may get two rows.
   const auto swing = [] {
     SlideSettings settings = pulsed();
     settings.initial_velocity = 0.05;

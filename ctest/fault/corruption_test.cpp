@@ -74,7 +74,7 @@ TEST(Corruption, OfAResult) {
                     [&] { return find_result(path, RunIdentity(example_result())).standing == Standing::complete; });
 }
 
-/// Through whole programs: a damaged result is neither drawn nor judged, a damaged sample not sheared.
+/// With whole programs: a damaged result is not plotted or evaluated, and a damaged sample is not sheared.
 class CorruptionProgram : public ProgramTest {};
 
 TEST_F(CorruptionProgram, RefusesWhatIsDamaged) {

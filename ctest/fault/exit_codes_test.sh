@@ -29,7 +29,7 @@ exit "$code"
 RANK
 
 failures=0
-# expect CODE PATTERN OPTIONS...: the code of both ranks and of mpirun, and what is said.
+# expect CODE PATTERN OPTIONS...: checks the exit codes of both ranks and of mpirun, and the message.
 expect() {
   local wanted=$1 pattern=$2 code=0 codes
   shift 2

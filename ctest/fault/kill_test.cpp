@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// kill -9 at random moments of short runs, which go on each time and end with the files of a run without that.
+// Kills short runs at random moments (kill -9) and continues them. They end with the files of an uninterrupted run.
 #include <random>
 
 #include "restart/program.hpp"
@@ -11,7 +11,7 @@ using Seconds = std::chrono::duration<double>;
 
 class Kill : public ProgramTest {
  protected:
-  /// Kills runs of `point` until that has been done `kills` times; each run is gone on with until it is over.
+  /// Kills runs of `point`, `kills` times in all. Continues each run until it is complete.
   void expect_same_after(int kills, const std::string& point, Words options) {
     options.insert(options.end(), {"--point", point});
     ASSERT_EQ(run("whole", options), 0) << said_;  // prepares the sample
@@ -36,7 +36,7 @@ class Kill : public ProgramTest {
         ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << code << ": " << process.said();
         killed += code == 0 ? 0 : 1;
       } while (code != 0);
-      ASSERT_EQ(run(folder, options), 0) << said_;  // complete: nothing to do but to remove what is left
+      ASSERT_EQ(run(folder, options), 0) << said_;  // complete: only leftover files are removed
       expect_same_files(point, folder, "whole");
       expect_nothing_left(folder);
       if (HasFailure()) return;

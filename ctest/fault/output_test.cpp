@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output that cannot be written: a clear word, the last checkpoint as it was, and going on when there is room.
+// Output that cannot be written: a clear message and an unchanged last checkpoint; with free space the run continues.
 #include <sys/mount.h>
 
 #include "restart/program.hpp"
@@ -34,7 +34,7 @@ TEST_F(Output, OnAFullFileSystem) {
   std::ofstream(ballast, std::ios::binary) << std::string(free > 16384 ? free - 16384 : 0, 'x');
   EXPECT_EQ(run("out", options_), 2) << said_;
   EXPECT_CONTAINS(said_, "No space left on device; free some space or choose another folder");
-  EXPECT_CONTAINS(said_, "the same command goes on from its last checkpoint");
+  EXPECT_CONTAINS(said_, "the same command continues from its last checkpoint");
   EXPECT_EQ(checkpoints(), before);
   EXPECT_FALSE(std::filesystem::exists(out("out") / "RD.h5"));
   std::filesystem::remove(ballast);
@@ -50,7 +50,7 @@ TEST_F(Output, OnAFullFileSystem) {
   ASSERT_EQ(::mount("none", out("out").c_str(), "tmpfs", MS_REMOUNT, "size=4m"), 0);
 
   EXPECT_EQ(run("out", options_), 0) << said_;
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint at ");
   expect_same_files("RD", "out", "whole");
   expect_nothing_left("out");
   EXPECT_EQ(::umount2(out("out").c_str(), MNT_DETACH), 0);

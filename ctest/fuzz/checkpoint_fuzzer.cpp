@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Checkpoints that are not what a run wrote. By the first byte, either any bytes as a file, which its checksum must
 // catch, or a file with a right checksum whose parts are left out, of another shape or of any value, which the reader
-// must catch: a CorruptFileError, or a checkpoint that a run can go on from.
+// must catch: a CorruptFileError, or a checkpoint from which a run can continue.
 #include <unistd.h>
 
 #include <cmath>
@@ -62,9 +62,9 @@ Assembly assembly_of(Input& input) {
 
 Checkpoint checkpoint_of(Input& input) {
   Checkpoint checkpoint;
-  checkpoint.so_far.series.columns = {{"shear_strain", "gamma", "1", "shear strain", "", {}}};
+  checkpoint.partial_result.series.columns = {{"shear_strain", "gamma", "1", "shear strain", "", {}}};
   for (int i = input.byte() % 4; i > 0; --i)
-    checkpoint.so_far.series.append_row(0.5 * i, std::vector{0.25 * i});
+    checkpoint.partial_result.series.append_row(0.5 * i, std::vector{0.25 * i});
   checkpoint.share_done = input.value();
   for (const char* name : {"time", "steps"}) checkpoint.sample.numbers[name] = input.value();
   if (input.byte() % 2 == 0) checkpoint.sample.grains = assembly_of(input);
@@ -81,7 +81,7 @@ Checkpoint checkpoint_of(Input& input) {
     slide.exchanges.largest_strain = input.value();
     checkpoint.slide = slide;
   }
-  if (input.byte() % 2 == 0) checkpoint.measured = checkpoint.so_far.series;
+  if (input.byte() % 2 == 0) checkpoint.measured = checkpoint.partial_result.series;
   if (input.byte() % 4 == 0) checkpoint.shots.push_back({input.value(), input.value(), assembly_of(input)});
   return checkpoint;
 }
@@ -123,7 +123,7 @@ void spoil(hdf5::Group& root, Input& input) {
   }
 }
 
-/// What a run relies on.
+/// The properties of a checkpoint on which a run relies.
 void check(const Checkpoint& checkpoint) {
   const auto grains = [](const Assembly& assembly) {
     require(assembly.position.size() == assembly.size() && assembly.torque.size() == assembly.size());
@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto file = hdf5::File::create("fuzz");
     write_checkpoint(file.root(), checkpoint_of(input));
     spoil(file.root(), input);
-    const auto again = hdf5::File::open(file.image(), "fuzz");  // without the disk, which would be all that takes time
+    const auto again = hdf5::File::open(file.image(), "fuzz");  // in memory, because the disk would dominate the time
     check(read_checkpoint(again.root()));
   } catch (const FileError&) {
   } catch (const std::invalid_argument&) {  // of the writer: it must not write such a thing

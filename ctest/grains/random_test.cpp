@@ -36,7 +36,7 @@ TEST(Random, NormalNumbersHaveTheMomentsOfANormalOne) {
   }
   EXPECT_NEAR(sum / count, 0.0, 5 / std::sqrt(count));
   EXPECT_NEAR(squares / count, 1.0, 5 * std::sqrt(2.0 / count));
-  // The normal law has 0.6827 within a standard deviation; what is stated of the sum of twelve, 0.3 %.
+  // A normal distribution has 0.6827 within one standard deviation; the sum of twelve differs by the documented 0.3 %.
   EXPECT_NEAR(within / count, 0.6827, 0.003 + 5 * 0.47 / std::sqrt(count));
 }
 

@@ -119,7 +119,7 @@ TEST(ReadLoading, RefusesWhatIsNoLoading) {
                   "never reached at the rate 0");
   EXPECT_CONTAINS(
       loading_complaint("history = \"rate\"\nrate = \"1 Pa/s\"\nfinal_change = \"5 Pa\"\nduration = \"1 s\""),
-      "duration is given as well");
+      "conflicts with \"loading.duration\", which is given too");
   EXPECT_CONTAINS(loading_complaint("history = \"table\"\nfile = \"nowhere.txt\""), "nowhere.txt");
 }
 

@@ -17,9 +17,8 @@ TEST(ReadProfilePlan, TakesStrainsAndTheTableProfiles) {
   EXPECT_EQ(plan.window, 0.02);
   EXPECT_EQ(plan.strains, (std::vector{0.01, 0.5}));
   EXPECT_TRUE(read_profile_plan(configuration, "point.c.profile_strains").strains.empty());
-  EXPECT_CONTAINS(
-      message_of<ConfigurationError>([&] { read_profile_plan(configuration, "point.b.profile_strains"); }),
-      "the strains do not grow");
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { read_profile_plan(configuration, "point.b.profile_strains"); }),
+                  "does not increase; sort the strains and give each once");
 }
 
 }  // namespace

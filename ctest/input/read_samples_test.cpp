@@ -77,7 +77,7 @@ std::vector<SampleSpecification> samples_of(const Configuration& configuration, 
   return read_samples(configuration, read_slope(configuration), replicate);
 }
 
-/// What is said of a configuration that has `to` in place of `from`.
+/// The message about a configuration in which `to` replaces `from`.
 std::string complaint(const std::string& from, const std::string& to) {
   return message_of<ConfigurationError>([&] { samples_of(with(from, to)); });
 }
@@ -98,7 +98,7 @@ TEST(ReadSlope, RefusesWhatNoSlopeHas) {
                   "case.toml:5:13: slope.thickness = \"-2 m\" is not allowed: it must be above 0 m; change it");
   EXPECT_CONTAINS(complaint("\"5 deg\"", "\"120 deg\""), "case.toml:8:9: slope.angle = \"120 deg\" is not allowed");
   EXPECT_CONTAINS(complaint("\"1500 kg/m^3\"", "\"1500 kg\""), "case.toml:4:15: slope.dry_density");
-  // Rules that span two properties: the message gives value, range and mend.
+  // Rules that span two properties: the message gives value, range and remedy.
   const std::string message =
       message_of<ConfigurationError>([] { read_slope(with("water_table = \"0.2 m\"", "water_table = \"3 m\"")); });
   EXPECT_CONTAINS(message, "water table is 3; allowed: 0 to 2");
@@ -231,6 +231,8 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
       {"material.youngs_modulus", {"\"2 GPa\"", "\"1.9 GPa\""}},
       {"material.poisson_ratio", {"poisson_ratio = 0.25", "poisson_ratio = 0.2"}},
       {"material.restitution", {"restitution = 0.8", "restitution = 0.9"}},
+      {"material.contact_law",
+       {"contact_law = \"hertz\"", "contact_law = \"linear\"\ncharacteristic_velocity = \"1 m/s\""}},
       {"material.sliding_friction", {"sliding_friction = 0.5", "sliding_friction = 0.4"}},
       {"material.rolling_friction", {"rolling_friction = 0.1", "rolling_friction = 0.2"}},
       {"material.rolling_stiffness", {"rolling_stiffness = 2.25", "rolling_stiffness = 1"}},
@@ -318,13 +320,13 @@ TEST(ReadSamples, TakeFrictionsThatWereFoundBefore) {
 }
 
 TEST(ReadSamples, RefuseALatticeThatIsNone) {
-  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:20:18: packing.lattice = 2 is not allowed");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:21:18: packing.lattice = 2 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");
-  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:20:12: ");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:21:12: ");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
                   "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list of three");
-  // More than an int holds would otherwise come out as some other lattice.
+  // A count beyond the range of int would otherwise give another lattice.
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 4294967299]"), "4294967299 is not allowed: it must be between 3 and");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[2000, 2000, 2000]"), "2000 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[1000, 1000, 1000]"),
@@ -333,8 +335,8 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
 
 TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
   EXPECT_CONTAINS(complaint("\"5 mm\"", "\"0 mm\""),
-                  "case.toml:21:21: packing.smallest_diameter = \"0 mm\" is not allowed: it must be above 0 m");
-  EXPECT_CONTAINS(complaint("\"5 mm\"", "\"-5 mm\""), "case.toml:21:21: ");
+                  "case.toml:22:21: packing.smallest_diameter = \"0 mm\" is not allowed: it must be above 0 m");
+  EXPECT_CONTAINS(complaint("\"5 mm\"", "\"-5 mm\""), "case.toml:22:21: ");
   EXPECT_CONTAINS(complaint("\"7.5 mm\"", "\"4.9 mm\""),
                   "packing.largest_diameter = \"4.9 mm\" is below packing.smallest_diameter, 0.005 m; change one of "
                   "them");
@@ -342,18 +344,18 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
   EXPECT_CONTAINS(complaint("void_ratio = 0.79", "void_ratio = 0.3"),
-                  "case.toml:37:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:44:14: sample.isotropic.void_ratio");
-  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:38:13: sample.loose.tolerance = 0");
-  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:39:15: sample.loose.most_trials = 0");
+                  "case.toml:38:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
+  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:45:14: sample.isotropic.void_ratio");
+  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:39:13: sample.loose.tolerance = 0");
+  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:40:15: sample.loose.most_trials = 0");
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
   EXPECT_CONTAINS(complaint(", \"0.05 1/s\"]", "]"),
                   "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
-  EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:27:27: preparation.servo_rates = \"0 1/s\"");
+  EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:28:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
-  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:41:8: sample.loose.drag");
+  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:42:8: sample.loose.drag");
   EXPECT_CONTAINS(complaint("isotropic = false\n", ""), "\"sample.loose.isotropic\" is missing: true or false");
 }
 
@@ -380,7 +382,7 @@ TEST(CheckTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(-1e-6); }), "it must be above 0 s");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(0.0); }), "it must be above 0 s");
   EXPECT_CONTAINS(complaint("time_step = \"1e-5 s\"", "time_step = \"2e-5 s\""),
-                  "case.toml:24:13: preparation.time_step = \"2e-5 s\"");
+                  "case.toml:25:13: preparation.time_step = \"2e-5 s\"");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(Ranks, AgreeOnWhatTheFirstSays) {
 }
 
 TEST(Ranks, AgreeWithoutAnotherUseOfMpiBefore) {
-  // In a process of its own, as ctest runs it, this is the first call of all: MPI must be started by it.
+  // ctest runs each test in its own process. This is the first call, and it must start MPI.
   EXPECT_TRUE(same_on_all_ranks(true));
 }
 
@@ -41,7 +41,7 @@ TEST(Ranks, FailTogether) {
     EXPECT_THROW(fail(), std::domain_error);
   else
     EXPECT_THROW(fail(), FirstRankFailed);
-  EXPECT_TRUE(same_on_all_ranks(true));  // and none of them waits for ever
+  EXPECT_TRUE(same_on_all_ranks(true));  // and no rank waits for ever
 }
 
 TEST(Ranks, ReturnTheCodeOfTheOneThatFailed) {

@@ -48,7 +48,7 @@ unit = "1"
 origin = "rounding"
 )";
 
-/// Two points that write down what they were asked for.
+/// A case of two points that records the calls that it receives.
 class Tiny : public Case {
  public:
   CaseDescription description() const override { return {"tiny", "A case.", "1", {"Fig. 1"}, {"liggghts", "other"}}; }
@@ -67,8 +67,8 @@ class Tiny : public Case {
     largest_over_ranks(last);  // engines are made by all ranks together
     out << "plan of " << point.name << " on " << static_cast<int>(last[0]) + 1 << "\n";
   }
-  void prepare(const Point& point, const ProgressStyle&, const PreparationBorder& border) const override {
-    border([] { return true; });
+  void prepare(const Point& point, const ProgressStyle&, const PreparationPoll& poll) const override {
+    poll([] { return true; });
     ran.push_back("sample of " + point.name);
   }
   void run(const Point& point, const PointRun& run) const override {
@@ -134,7 +134,7 @@ class CaseProgramTest : public testing::Test {
     outcome.provenance = tiny.provenance;
     return outcome;
   }
-  /// What is said of bad input: exit code 2, nothing on stdout, no point run.
+  /// The message about bad input. Expects exit code 2, no output on stdout and no run.
   std::string complaint(const std::vector<std::string>& options) const {
     const Outcome outcome = run(options);
     EXPECT_EQ(outcome.code, 2);
@@ -228,7 +228,7 @@ TEST_F(CaseProgramTest, EndsWithThreeAfterANumericalFailure) {
   EXPECT_EQ(failed.code, 3);
   EXPECT_EQ(failed.error, "flowslide: grain 7 is lost\n");
   EXPECT_FALSE(fs::exists(out() / "b.h5"));
-  EXPECT_EQ(run({}).ran, Names{"b"});  // what was complete is kept, what failed is run again
+  EXPECT_EQ(run({}).ran, Names{"b"});  // keeps the complete point, and runs the failed one again
 }
 
 TEST_F(CaseProgramTest, EndsWithFourWhenAClaimIsNotMet) {
@@ -274,7 +274,7 @@ TEST_F(CaseProgramTest, JudgesNoResultOfAnotherPoint) {
 
 TEST_F(CaseProgramTest, ReplacesResultsOfAnotherRunOnlyWhenAsked) {
   run({});
-  EXPECT_EQ(run({"--afresh"}).ran, Names{});  // of this run: nothing would be otherwise
+  EXPECT_EQ(run({"--afresh"}).ran, Names{});  // both results belong to this run
   EXPECT_EQ(run({"--afresh", "--set", "count=4"}).ran, (Names{"a", "b"}));
   EXPECT_CONTAINS(read_result(out() / "a.h5").configuration, "count = 4\n");
   EXPECT_CONTAINS(run({"--status"}).output, "outdated");

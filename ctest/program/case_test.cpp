@@ -37,8 +37,8 @@ TEST_F(PointRunTest, CountsItsOwnTimeOnEachOfItsRanks) {
 
 TEST_F(PointRunTest, CountsWhatItsCheckpointHasCost) {
   Checkpoint checkpoint = example_checkpoint();
-  identity_.stamp(checkpoint.so_far);
-  checkpoint.so_far.provenance.processor_seconds = 1000.0;
+  identity_.stamp(checkpoint.partial_result);
+  checkpoint.partial_result.provenance.processor_seconds = 1000.0;
   output_.checkpoints("a").put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint); });
   testing::internal::CaptureStderr();
   PointCheckpoints found(output_.checkpoints("a"), control_, identity_);

@@ -25,12 +25,13 @@ Provenance result(const std::string& point, int replicate, const std::string& of
 }
 
 TEST(Replicates, BeginWithRecipesOfTheirOwn) {
-  EXPECT_NO_THROW(refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1, 0.6)}}));
-  EXPECT_NO_THROW(refuse_equal_recipes({{sample(1), sample(1, 0.5, "dense")}, {sample(2)}}));
-  const std::string message = message_of<ConfigurationError>([] {
-    refuse_equal_recipes({{sample(1)}, {sample(2)}, {sample(1)}});
+  const auto configuration = Configuration::from_text("[sample.loose]\n[sample.dense]\n", "case.toml");
+  EXPECT_NO_THROW(refuse_equal_recipes(configuration, {{sample(1)}, {sample(2)}, {sample(1, 0.6)}}));
+  EXPECT_NO_THROW(refuse_equal_recipes(configuration, {{sample(1), sample(1, 0.5, "dense")}, {sample(2)}}));
+  const std::string message = message_of<ConfigurationError>([&] {
+    refuse_equal_recipes(configuration, {{sample(1)}, {sample(2)}, {sample(1)}});
   });
-  EXPECT_CONTAINS(message, "replicates 1 and 3 of the sample \"loose\" are the same");
+  EXPECT_CONTAINS(message, "[sample.loose]: replicates 1 and 3 of the sample \"loose\" are the same");
   EXPECT_CONTAINS(message, "give sample.loose.seed_offsets one number for each replicate, all of them different");
 }
 

@@ -84,7 +84,7 @@ TEST(RunMain, LeavesTheMessageOfTheFirstRankToIt) {
   EXPECT_EQ(outcome.error, "");
 }
 
-/// The exit code of a program whose first rank meets that failure, and what this rank says of it.
+/// The exit code of a program whose first rank has this failure, and the message of this rank.
 template <typename Exception>
 Outcome end_of(const Exception& failure) {
   Outcome outcome = outcome_of(

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "program/runout.hpp"
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "experiment/slide_run.hpp"
+#include "record/atomic_file.hpp"
+#include "record/gnuplot_table.hpp"
+#include "support/messages.hpp"
 
 namespace flowslide {
 namespace {
@@ -133,6 +137,23 @@ TEST(Sweep, IsATableOfWhatAllSchemesHave) {
   EXPECT_TRUE(none.has("RI_runout_median"));  // a figure finds its columns
 }
 
+TEST(Sweep, WritesTheTablesOfItsFigure) {
+  const ScratchFolder scratch;
+  const OutputFolder output = OutputFolder::open(scratch.path() / "out", "sweep");
+  Ensembles slides{{"RI_1", ensemble(1.0, {3.0})}, {"RD_1", ensemble(1.0, {2.0})}, {"alone", ensemble(1.0, {2.0})}};
+  for (const char* name : {"RI_1", "RD_1"}) {
+    Series& rows = slides.at(name).front().series;
+    rows.axis = {"time", "t", "s", "time", "", {0.0, 1.0}};
+    rows.columns = {{"displacement", "x", "m", "sliding distance", "", {0.0, 2.0}}};
+  }
+  write_sweep(output, "sweep", slides,
+              {{"k", "k", "m/s", "", "", {}}, {"runout"}, [](double k) { return fmt::format("k = {}", k); }});
+  EXPECT_EQ(read_table(output.file("sweep.dat")).series.column("RI_runout_median").values, std::vector<double>{3.0});
+  EXPECT_TRUE(std::filesystem::exists(output.file("RD_1_coarse.dat")));
+  EXPECT_FALSE(std::filesystem::exists(output.file("alone_coarse.dat")));  // no slide
+  EXPECT_CONTAINS(read_file(output.file("legend.txt")), "RD_1\tk = 1\n");
+}
+
 TEST(RankCorrelation, SeesOrderAlone) {
   EXPECT_NEAR(rank_correlation({0.0, 1.0, 10.0}, {5.0, 4.0, -3.0}), -1.0, rounding);
   // Spearman's 1 - 6 sum d^2/(n (n^2 - 1)), with two neighbours exchanged: sum d^2 = 2.
@@ -140,7 +161,7 @@ TEST(RankCorrelation, SeesOrderAlone) {
   EXPECT_TRUE(std::isnan(rank_correlation({1.0, 2.0}, {3.0, 3.0})));
 }
 
-TEST(RankCorrelation, IsNoneOfWhatIsNoNumber) {
+TEST(RankCorrelation, IsNaNIfAValueIsNaN) {
   EXPECT_TRUE(std::isnan(rank_correlation({1.0, 2.0, 3.0}, {1.0, std::nan(""), 3.0})));
 }
 

@@ -6,6 +6,7 @@
 #include "experiment/loading_record.hpp"
 #include "grains/packing.hpp"
 #include "input/read_samples.hpp"
+#include "input/vocabulary.hpp"
 #include "program/slide_program.hpp"
 #include "record/gnuplot_table.hpp"
 #include "support/stress_table.hpp"
@@ -179,19 +180,69 @@ TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {
 }
 
 TEST_F(SlideProgram, ShearsSamplesAloneBesideTheSlides) {
-  scratch_.write("case.toml", slide_case_text() + R"([point.alone]
-figures = "12"
-sample = "loose"
-shear_rate = "5 1/s"
-final_strain = 1e-3
-[element_test]
-rows = 10
-[scale.quick]
-)");
+  scratch_.write("case.toml", slide_and_test_text());
   ASSERT_EQ(run({"--engine", "native", "--point", "alone", "--dry-run"}), 0) << error_;
   EXPECT_CONTAINS(text_, "# 20 steps of 1e-05 s, 10 rows\n");
   ASSERT_EQ(run({"--list"}), 0) << error_;  // on a closed-form sample there is none
   EXPECT_EQ(text_.find("alone"), std::string::npos);
+}
+
+TEST_F(SlideProgram, RefusesTheOldNameOfTheTableOfShearTests) {
+  EXPECT_EQ(run({"--dry-run", "--set", "element_test.rows=10"}), 2);
+  EXPECT_CONTAINS(error_, "--set element_test.rows=10: \"element_test\" is called \"shear_test\" now; rename it");
+}
+
+TEST_F(SlideProgram, RefusesAKeyThatTheLoadingHistoryDoesNotUse) {
+  EXPECT_EQ(run({"--dry-run", "--set", "loading.rate=1 kPa/s"}), 2);
+  EXPECT_EQ(error_,
+            "flowslide: --set loading.rate=1 kPa/s: \"loading.rate\" has no effect: history = \"pulse\" does not "
+            "use it; remove it\n");
+  const auto mine = scratch_.write("mine.toml",
+                                   "[point.mine]\nlike = 'RD'\nloading.history = 'rate'\n"
+                                   "loading.rate = '1 kPa/s'\nloading.amplitude = '5 kPa'\n");
+  EXPECT_EQ(run({"--dry-run", "--config", mine.string()}), 2);
+  EXPECT_CONTAINS(error_, "mine.toml:5:9: \"point.mine.loading.amplitude\" has no effect: history = \"rate\" does not");
+}
+
+TEST_F(SlideProgram, NamesTheUsersRunThatLacksAKey) {
+  std::string text = slide_case_text();
+  const std::string stop = "[stop]\nend_time = \"4 s\"\n";
+  text.replace(text.find(stop), stop.size(),
+               "[point.RD.stop]\nend_time = \"4 s\"\n[point.RI.stop]\nend_time = \"4 s\"\n");
+  scratch_.write("case.toml", text + "[scale.quick]\n");
+  const auto mine = scratch_.write("mine.toml", "[point.mine]\nfigures = '1'\nsample = 'loose'\nscheme = 'RD'\n");
+  EXPECT_EQ(run({"--dry-run", "--config", mine.string()}), 2);
+  EXPECT_CONTAINS(error_, "mine.toml:1:8: [point.mine] lacks the key \"point.mine.stop.end_time\": a time");
+}
+
+TEST_F(SlideProgram, NamesTheClosedFormSampleInItsResults) {
+  ASSERT_EQ(run({"--point", "RD", "--set", "stop.end_time=0.1 s"}), 0) << error_;
+  EXPECT_EQ(read_result(output() / "RD.h5").provenance.sample, "elastic");
+  ASSERT_EQ(run({"--list"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "closed-form sample elastic, RD, pulse");
+}
+
+TEST_F(SlideProgram, ShowsWhatASampleTakesFromTheOneThatItIsLike) {
+  const auto mine = scratch_.write("mine.toml", "[sample.mine]\nlike = 'loose'\nvoid_ratio = 0.8\n");
+  ASSERT_EQ(run({"--dry-run", "--config", mine.string()}), 0) << error_;
+  EXPECT_CONTAINS(text_, "\n# sample.mine.drag = \"0.06 kg/s\" ");
+  EXPECT_CONTAINS(text_, " # like sample.loose, ");
+  EXPECT_EQ(text_.find("# sample.mine.void_ratio"), std::string::npos);
+}
+
+TEST_F(SlideProgram, KnowsEveryKeyOfTheVocabulary) {
+  scratch_.write("case.toml", slide_and_test_text());
+  for (const KeysOfRuns& keys : vocabulary())
+    for (const std::string& table : keys.tables)
+      for (const std::string& name : keys.names) {
+        const bool of_test = table == "point.*" && (name == "shear_rate" || name == "inertial_number");
+        std::string key = table + "." + name;
+        if (const std::size_t star = key.find('*'); star != std::string::npos)
+          key.replace(star, 1, of_test ? "alone" : "RD");
+        run({"--dry-run", "--set", key + "=0"});
+        EXPECT_CONTAINS_NOT(error_, "unknown");
+        EXPECT_CONTAINS_NOT(error_, "no run of this case uses it");
+      }
 }
 
 TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
@@ -210,18 +261,10 @@ TEST_F(SlideProgram, HasTheSameMetricsWhateverRowsAreKept) {
 }
 
 TEST_F(SlideProgram, MeasuresAnElementTestTheSameWhateverRowsAreKept) {
-  scratch_.write("case.toml", slide_case_text() + R"([point.alone]
-figures = "12"
-sample = "loose"
-shear_rate = "5 1/s"
-final_strain = 1e-2
-[element_test]
-rows = 10
-[scale.quick]
-)");
+  scratch_.write("case.toml", slide_and_test_text("1e-2"));
   const auto peak = [&](const std::string& rows) {
     fs::remove_all(output());
-    EXPECT_EQ(run({"--engine", "native", "--point", "alone", "--set", "element_test.rows=" + rows}), 0) << error_;
+    EXPECT_EQ(run({"--engine", "native", "--point", "alone", "--set", "shear_test.rows=" + rows}), 0) << error_;
     const Result result = read_result(output() / "alone.h5");
     EXPECT_EQ(result.windows.size(), 2U);
     EXPECT_EQ(parameter_of({result}, "shear_rate"), 5.0);

@@ -16,7 +16,7 @@ SlidePoint read(const std::string& text, const std::string& name, int replicate 
   const auto configuration = Configuration::from_text(text);
   const SlopeProperties slope = read_slope(configuration);
   const auto samples = read_samples(configuration, slope, replicate);
-  return read_slide_point(configuration, name, replicate, samples, slope, engine);
+  return read_slide_point(configuration, name, {replicate, samples, slope, engine});
 }
 
 TEST(SlidePoint, TakesItsSchemeOverTheCouplingOfAll) {
@@ -113,9 +113,10 @@ sample = "loose"
 inertial_number = 1e-2
 final_strain = 0.05
 coupling.local_time_step = "5e-6 s"
-[element_test]
+[shear_test]
 rows = 50
-)", "alone", 1);
+)",
+                                "alone", 1);
   ASSERT_TRUE(point.test);
   EXPECT_EQ(point.test->rows, 50);
   EXPECT_EQ(point.settings.passing.time_step, 5e-6);
@@ -136,7 +137,7 @@ TEST(SlidePoint, TakesRatesFromTheMeanDiameterOfItsSample) {
   EXPECT_NE(planned.grains.mean_diameter, 5.5e-3);
   const SlidePoint test = read(slide_case_text() +
                                    "[point.alone]\nfigures = \"6\"\nsample = \"loose\"\n"
-                                   "inertial_number = 1e-2\nfinal_strain = 0.05\n[element_test]\nrows = 50\n",
+                                   "inertial_number = 1e-2\nfinal_strain = 0.05\n[shear_test]\nrows = 50\n",
                                "alone");
   const double ratio = on_sample(test, 0.5 * test.grains.mean_diameter).test->shear_rate / test.test->shear_rate;
   EXPECT_NEAR(ratio, 2.0, 1e-14);  // at a given I the rate falls with the diameter

@@ -28,19 +28,7 @@ class ResultsCase : public SlideCase {
 
 class SlideResults : public testing::Test {
  protected:
-  SlideResults() {
-    std::string text = slide_case_text();
-    text += R"([point.alone]
-figures = "12"
-sample = "loose"
-shear_rate = "5 1/s"
-final_strain = 1e-3
-[element_test]
-rows = 10
-[scale.quick]
-)";
-    scratch_.write("case.toml", text);
-  }
+  SlideResults() { scratch_.write("case.toml", slide_and_test_text()); }
   /// The case with a user's file, on an engine.
   ResultsCase read(const std::string& engine, const std::string& user = "") {
     ResultsCase the_case;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a study of a case may change, and what is refused: loadings, settings, names and replicates.
+// Changes that a study of a case may make, and changes that are refused: loadings, settings, names and replicates.
 #include <nlohmann/json.hpp>
 
 #include "program/slide_program.hpp"

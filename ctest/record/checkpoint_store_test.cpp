@@ -70,7 +70,7 @@ TEST_F(CheckpointStoreTest, UsesTheOneBeforeWhereTheNewestIsDamaged) {
     ASSERT_EQ(complaints_.size(), 1U);
     EXPECT_NE(complaints_.front().find(newest.string()), std::string::npos) << complaints_.front();
   }
-  // The next takes the place of the damaged one, not of the one that was used.
+  // The next checkpoint replaces the damaged one, not the one that was used.
   CheckpointStore later(folder_.path(), "RD");
   put(later, 3.0);
   EXPECT_EQ(read(later), 3.0);

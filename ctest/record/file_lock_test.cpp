@@ -50,7 +50,7 @@ TEST(FileLock, IsFreeOnceTheProcessThatHeldItHasEnded) {
     const auto held = FileLock::try_lock(folder / "lock");
     const auto told = ::write(ready[1], "x", 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    ::_exit(told == 1 ? 0 : 1);  // without giving the lock back
+    ::_exit(told == 1 ? 0 : 1);  // without releasing the lock
   }
   char byte = 0;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
@@ -77,7 +77,7 @@ TEST(FileLock, TellsWhichProcessHoldsIt) {
   const auto held = FileLock::try_lock(folder / "lock");
   EXPECT_EQ(FileLock::holder(folder / "lock"), "process " + std::to_string(::getpid()) + " on " + machine.data());
   {
-    const auto again = FileLock::try_lock(folder / "lock");  // does not sign what it does not get
+    const auto again = FileLock::try_lock(folder / "lock");  // gets no lock, and so must not write its name
     EXPECT_FALSE(again);
   }
   EXPECT_EQ(FileLock::holder(folder / "lock"), "process " + std::to_string(::getpid()) + " on " + machine.data());

@@ -5,7 +5,7 @@
 
 namespace flowslide {
 
-/// While it lives, no file of this process can grow beyond `bytes`: what a full disk does to write().
+/// While an object exists, no file of this process can grow beyond `bytes`, as if the disk were full.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
-/// What `read` makes of what `write` has written.
+/// The value that `read` returns for the data that `write` has written.
 template <typename Write, typename Read>
 auto with(Write&& write, Read&& read) {
   auto file = hdf5::File::create("test");

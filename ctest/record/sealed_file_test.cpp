@@ -31,10 +31,10 @@ TEST(SealedFile, SaysHowToMend) {
   const TemporaryFolder folder;
   write_atomically(folder / "file", "something else");
   try {
-    read_sealed(folder / "file", "delete it and go on");
+    read_sealed(folder / "file", "delete it and continue");
     FAIL();
   } catch (const CorruptFileError& error) {
-    EXPECT_TRUE(std::string(error.what()).ends_with("delete it and go on")) << error.what();
+    EXPECT_TRUE(std::string(error.what()).ends_with("delete it and continue")) << error.what();
   }
 }
 

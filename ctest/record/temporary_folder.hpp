@@ -8,7 +8,7 @@
 
 namespace flowslide {
 
-/// A new empty folder that goes with all it holds.
+/// A new empty folder. The destructor removes it with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # browser_test.sh REPORT CASE: opens the report in Chromium without network: every figure is there and drawn, nothing
-# else is loaded, and the console stays empty. The same look at a spoilt page must find what was spoilt.
+# else is loaded, and the console stays empty. The same checks must find the faults of a damaged page.
 set -euo pipefail
 report=$1 program=$2
 project=$(cd "$(dirname "$0")/../.." && pwd)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Runs of the program `restartable` as processes that can be signalled, and what they leave.
+// Runs of the program `restartable` as processes that receive signals, and the files that they leave.
 #pragma once
 #include <chrono>
 #include <string>
@@ -26,7 +26,7 @@ figures = "12"
 sample = "loose"
 shear_rate = "5 1/s"
 final_strain = 0.5
-[element_test]
+[shear_test]
 rows = 300
 [scale.quick]
 replicates = 1
@@ -85,7 +85,7 @@ point.RD.profile_strains = [0.05, 0.2]
   Provenance provenance_of(const std::string& folder, const std::string& point) const {
     return read_result(out(folder) / (point + ".h5")).provenance;
   }
-  /// That nothing is left of checkpoints and half-written files.
+  /// Expects no checkpoints and no half-written files.
   void expect_nothing_left(const std::string& folder) const {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(out(folder))) {
       const std::string name = entry.path().filename().string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whole programs that are stopped and go on: the same bits as without a stop.
+// Whole programs that are stopped and continue: the results have the same bits as without a stop.
 #include "program.hpp"
 
 namespace flowslide {
@@ -19,14 +19,14 @@ class Restart : public ProgramTest {
       const int ended = process->wait();
       if (ended == 0) break;
       ASSERT_EQ(ended, code) << process->said();
-      EXPECT_CONTAINS(process->said(), "the same command goes on from ");
+      EXPECT_CONTAINS(process->said(), "the same command continues from ");
       ++stops;
     }
     EXPECT_GT(stops, 0);
     Words resumed = all;
     resumed.push_back("--resume");
     ASSERT_EQ(run("stopped", resumed), 0) << said_;
-    EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+    EXPECT_CONTAINS(said_, "continues from its checkpoint at ");
     expect_same_files(point, "stopped", "whole");
     expect_nothing_left("stopped");
   }
@@ -45,19 +45,19 @@ TEST_F(Restart, GoesOnWithTheSameBitsOnMoreThreads) {
   Words on_two = options;
   on_two.insert(on_two.end(), {"--threads", "2"});
   ASSERT_EQ(run("stopped", on_two), 0) << said_;
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint at ");
   expect_same_files("RD", "stopped", "whole");
 }
 
 TEST_F(Restart, GoesOnWithTheSameStressOnLiggghts) {
-  // To its peak and a little further: later, what rounding differs by grows by chance.
+  // To its peak and a little further; later, differences by rounding grow exponentially.
   const Words options{"--engine", "liggghts", "--point", "alone", "--set", "point.alone.final_strain=0.01"};
   ASSERT_EQ(run("whole", options), 0) << said_;
   const auto process = start("stopped", "alone", options);
   process->signal(SIGTERM);
   ASSERT_EQ(process->wait(), 75) << process->said();
   ASSERT_EQ(run("stopped", options), 0) << said_;
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint at ");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint at ");
   const Series stopped = read_result(out("stopped") / "alone.h5").series;
   const Series whole = read_result(out("whole") / "alone.h5").series;
   ASSERT_EQ(stopped.rows(), whole.rows());
@@ -72,7 +72,7 @@ TEST_F(Restart, ASecondInterruptEndsAtOnce) {
   // A test whose rows, at which it may end, are far apart: many seconds.
   const Words long_test{"--engine", "native",
                         "--point",  "alone",
-                        "--set",    "element_test.rows=10",
+                        "--set",    "shear_test.rows=10",
                         "--set",    "point.alone.final_strain=100",
                         "--set",    "coupling.local_time_step=1e-7 s"};
   Process process(command("out", long_test), scratch_.path() / "out.said");
@@ -151,7 +151,7 @@ TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {
 }
 
 TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
-  const Words options{"--engine", "native", "--point", "RD", "--set", "stop.end_time=1e4 s"};  // goes on for ever
+  const Words options{"--engine", "native", "--point", "RD", "--set", "stop.end_time=1e4 s"};  // outlasts the test
   const auto process = start("out", "RD", options);
   Words status = options;
   status.push_back("--status");
@@ -165,7 +165,7 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
   EXPECT_GT(read_result(out("out") / "so_far" / "RD.h5").series.rows(), 0U);
   EXPECT_TRUE(std::filesystem::exists(out("out") / "so_far" / "RD_over_time.dat"));
 
-  // Another run of the same point is refused, and disturbs nothing.
+  // A second run of the same point is refused, and the first run is not disturbed.
   EXPECT_EQ(run("out", options), 2);
   EXPECT_CONTAINS(said_, "another process runs the point \"RD\" there");
   process->signal(SIGTERM);
@@ -173,7 +173,7 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
   ASSERT_EQ(run("out", status), 0);
   EXPECT_CONTAINS(said_, "RD     stopped");
 
-  // Neither is it gone on with by another configuration.
+  // A run with another configuration does not continue it either.
   EXPECT_EQ(run("out", {"--engine", "native", "--point", "RD", "--set", "stop.end_time=0.1 s"}), 2);
   EXPECT_CONTAINS(said_, "stop.end_time = \"10000.0 s\" there, \"0.1 s\" now");
 }
@@ -189,7 +189,7 @@ TEST_F(Restart, BeginsAnewOnlyWhenTold) {
   Words afresh = options;
   afresh.push_back("--afresh");
   ASSERT_EQ(run("out", afresh), 0) << said_;
-  EXPECT_EQ(said_.find("goes on from"), std::string::npos) << said_;
+  EXPECT_EQ(said_.find("continues from"), std::string::npos) << said_;
 }
 
 TEST_F(Restart, UsesTheCheckpointBeforeADamagedOne) {
@@ -204,7 +204,7 @@ TEST_F(Restart, UsesTheCheckpointBeforeADamagedOne) {
   std::filesystem::resize_file(first, std::filesystem::file_size(first) / 2);
   ASSERT_EQ(run("out", options), 0) << said_;
   EXPECT_CONTAINS(said_, first.string() + " is truncated");
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint");
   expect_same_files("RD", "out", "whole");
 }
 

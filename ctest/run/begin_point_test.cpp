@@ -29,7 +29,7 @@ class BeginPoint : public testing::Test {
   }
   void keep(const RunIdentity& identity) const {
     Checkpoint checkpoint = example_checkpoint();
-    identity.stamp(checkpoint.so_far);
+    identity.stamp(checkpoint.partial_result);
     output_.checkpoints("loose").put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint); });
   }
   bool there(const char* file) const { return std::filesystem::exists(output_.file(file)); }

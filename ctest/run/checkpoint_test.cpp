@@ -20,8 +20,8 @@ Checkpoint read_back(const Checkpoint& checkpoint) {
 TEST(Checkpoint, IsReadBackBitForBit) {
   const Checkpoint checkpoint = example_checkpoint();
   const Checkpoint again = read_back(checkpoint);
-  expect_same_bits(checkpoint.so_far.series, again.so_far.series);
-  EXPECT_EQ(again.so_far.configuration, checkpoint.so_far.configuration);
+  expect_same_bits(checkpoint.partial_result.series, again.partial_result.series);
+  EXPECT_EQ(again.partial_result.configuration, checkpoint.partial_result.configuration);
   EXPECT_EQ(again.sample.numbers, checkpoint.sample.numbers);
   expect_same_bits(*checkpoint.sample.grains, *again.sample.grains);
   EXPECT_EQ(again.share_done, checkpoint.share_done);
@@ -113,7 +113,7 @@ TEST(Checkpoint, OfAnElementTestHasNoSlide) {
 TEST(Checkpoint, CanBeReadAsAResult) {
   auto file = hdf5::File::create("memory");
   write_checkpoint(file.root(), example_checkpoint());
-  expect_same_bits(read_result(file.root()).series, example_checkpoint().so_far.series);
+  expect_same_bits(read_result(file.root()).series, example_checkpoint().partial_result.series);
 }
 
 TEST(Checkpoint, RefusesWhatNoRunCouldGoOnFrom) {

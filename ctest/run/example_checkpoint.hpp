@@ -10,11 +10,11 @@
 
 namespace flowslide {
 
-/// Where a slide stands: every number is different, so that a mix-up shows.
+/// The state of a slide. All numbers are different, so that a mix-up shows.
 inline Checkpoint example_checkpoint() {
   Checkpoint checkpoint;
-  checkpoint.so_far = example_result();
-  checkpoint.so_far.configuration_hash = hash_of(checkpoint.so_far.configuration);
+  checkpoint.partial_result = example_result();
+  checkpoint.partial_result.configuration_hash = hash_of(checkpoint.partial_result.configuration);
   checkpoint.share_done = 0.375;
   checkpoint.sample = {{{"time", 0.1}, {"steps", 12345.0}, {"shear_stress", 1.0 / 3.0}}, example_assembly()};
   SlideCheckpoint slide;

@@ -15,7 +15,7 @@ namespace {
 class PointCheckpointsTest : public testing::Test {
  protected:
   PointCheckpointsTest() {
-    identity_.stamp(checkpoint_.so_far);
+    identity_.stamp(checkpoint_.partial_result);
     store_.put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint_); });
   }
   PointCheckpoints open(const RunIdentity& identity) {
@@ -34,7 +34,7 @@ class PointCheckpointsTest : public testing::Test {
 
   ScratchFolder scratch_;
   Checkpoint checkpoint_ = example_checkpoint();
-  const RunIdentity identity_ = of(checkpoint_.so_far.configuration);
+  const RunIdentity identity_ = of(checkpoint_.partial_result.configuration);
   CheckpointStore store_{scratch_.path(), "RD"};
   RunControl control_{{.checkpoint_interval = 0.0}};
   std::string said_;
@@ -44,7 +44,7 @@ TEST_F(PointCheckpointsTest, FindsWhatThereIsAndSaysSo) {
   const PointCheckpoints checkpoints = open(identity_);
   ASSERT_TRUE(checkpoints.found());
   EXPECT_EQ(checkpoints.found()->share_done, checkpoint_.share_done);
-  EXPECT_CONTAINS(said_, "goes on from its checkpoint at t = 0.3031 s, v = ");
+  EXPECT_CONTAINS(said_, "continues from its checkpoint at t = 0.3031 s, v = ");
   store_.remove();
   EXPECT_FALSE(open(of("anything")).found());
   EXPECT_EQ(said_, "");
@@ -79,11 +79,11 @@ TEST_F(PointCheckpointsTest, KeepsAndStops) {
     later.share_done = 0.5 + 0.1 * asked;
     return later;
   };
-  checkpoints.border(now);  // an interval of 0: at every border
+  checkpoints.poll(now);  // an interval of 0: at every checkpoint opportunity
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(open(identity_).found()->share_done, 0.6);
   ::raise(SIGTERM);
-  EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.border(now); }), "the same command goes on from t = ");
+  EXPECT_CONTAINS(message_of<Stopped>([&] { checkpoints.poll(now); }), "the same command continues from t = ");
   EXPECT_EQ(open(identity_).found()->share_done, 0.7);
 }
 
@@ -92,10 +92,10 @@ TEST_F(PointCheckpointsTest, GoesOnWithoutACheckpointWhenTheDiskIsFull) {
   {
     const FullDisk full(1000);
     testing::internal::CaptureStderr();
-    checkpoints.border([&] { return checkpoint_; });
+    checkpoints.poll([&] { return checkpoint_; });
     EXPECT_CONTAINS(testing::internal::GetCapturedStderr(), "the checkpoint before is as it was");
     ::raise(SIGTERM);
-    EXPECT_CONTAINS(message_of<FileError>([&] { checkpoints.border([&] { return checkpoint_; }); }),
+    EXPECT_CONTAINS(message_of<FileError>([&] { checkpoints.poll([&] { return checkpoint_; }); }),
                     "the checkpoint before is as it was");
   }
   EXPECT_TRUE(open(identity_).found());

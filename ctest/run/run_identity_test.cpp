@@ -35,7 +35,7 @@ Result made_by(const RunIdentity& identity) {
   return result;
 }
 
-/// The same result by another version of what one line of its identity names.
+/// The same result with another version in one line of its identity.
 Result with_line(Result result, const std::string& name, const std::string& value) {
   const std::size_t start = result.identity.find(name + " = "), end = result.identity.find('\n', start);
   EXPECT_NE(start, std::string::npos) << result.identity;

@@ -23,7 +23,7 @@ class StatusTest : public testing::Test {
   }
   void keep() {
     Checkpoint checkpoint = example_checkpoint();
-    identity_.stamp(checkpoint.so_far);
+    identity_.stamp(checkpoint.partial_result);
     output_.checkpoints("RD").put([&](hdf5::Group& root) { write_checkpoint(root, checkpoint); });
   }
   PointStatus status_of(const std::string& point) const { return flowslide::status_of(output_, point, identity_); }

@@ -78,7 +78,7 @@ TEST_F(DemSampleTest, EachRunMayHaveATimeStepOfItsOwn) {
 
 TEST_F(DemSampleTest, StopsWhenContactsHaveBecomeTooStiffForTheTimeStep) {
   const Assembly lattice = touching_lattice();
-  settings_.material.restitution = 0.3;  // dashpots bring the edge below what the Rayleigh time allows
+  settings_.material.restitution = 0.3;  // dashpots lower the stability limit below the Rayleigh rule
   double edge = 5e-6;
   for (int i = 0; i < 40; ++i) edge /= std::sqrt(time_step_share(lattice, settings_.material, edge));
   settings_.time_step = 0.97 * edge;  // suits the lattice as it is

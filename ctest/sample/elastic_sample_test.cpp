@@ -32,7 +32,7 @@ TEST(ElasticSample, ViscosityAnswersTheRateOfTheLocalClock) {
   ElasticSample slow({.viscosity = 1e3});
   EXPECT_NEAR(slow.strain({{1.0, 0.0}, 200, 1e-6}).shear, 2.65e3 + 15e6 * 2e-4 + 1e3 * 1.0, rounding);
   const CellStress before = slow.stress();
-  EXPECT_EQ(slow.strain({{5.0, 0.0}, 0, 1e-6}).shear, before.shear);  // nothing ran
+  EXPECT_EQ(slow.strain({{5.0, 0.0}, 0, 1e-6}).shear, before.shear);  // no time passed
 }
 
 TEST(ElasticSample, CompressionTakesVoids) {

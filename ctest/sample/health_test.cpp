@@ -15,7 +15,7 @@
 namespace flowslide {
 namespace {
 
-/// An engine that says what it is told to say.
+/// An engine that returns prescribed values.
 class Puppet : public Engine {
  public:
   void load(const Assembly&, const EngineSettings&) override {}

@@ -49,7 +49,7 @@ TEST(Mixing, RefusesImpactsThatTheTimeStepDoesNotResolveOrTheLawDoesNotHold) {
   EXPECT_NO_THROW(validate_impacts(recipe));
   recipe.time_step = 4e-5;
   EXPECT_THROW(validate_impacts(recipe), std::invalid_argument);
-  recipe.mixing_velocity = 0.0;  // nothing meets
+  recipe.mixing_velocity = 0.0;  // no grains collide
   EXPECT_NO_THROW(validate_impacts(recipe));
   recipe.time_step = 1e-7;
   recipe.mixing_velocity = 30.0;

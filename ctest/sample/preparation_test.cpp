@@ -30,7 +30,7 @@ TEST(Preparation, ReachesItsTargetsAndHoldsThemAtRest) {
     if (stages.empty() || stages.back() != progress.stage) stages.push_back(progress.stage);
   });
   EXPECT_EQ(stages, (std::vector<int>{1, 2, 3, 4, 5}));
-  const double tolerance = 4.0 * recipe.stress_tolerance * recipe.normal_stress;  // what rest() allows
+  const double tolerance = 4.0 * recipe.stress_tolerance * recipe.normal_stress;  // allowed by rest()
   EXPECT_NEAR(sample.stress.normal, recipe.normal_stress, tolerance);
   EXPECT_NEAR(sample.stress.lateral_x, recipe.normal_stress, tolerance);
   EXPECT_NEAR(sample.stress.lateral_y, recipe.normal_stress, tolerance);
@@ -72,7 +72,7 @@ TEST(Preparation, WithAPeriodicHeightReachesTheSameTargetsWithoutLayers) {
   EXPECT_NE(sample.assembly.cell.shear_offset, 0.0);
 }
 
-/// Recipes that go on in other ways between two stages.
+/// Recipes that differ in the transition between two stages.
 struct Way {
   const char* name;
   bool periodic_height, mixed;

@@ -27,7 +27,7 @@ TEST(SampleState, TakesNoCountFromWhatIsNone) {
   }
 }
 
-/// Strained to and fro, stored half way; the other goes on from there with the same bits.
+/// A sample is strained to and fro and stored half-way. A second sample continues from this state with the same bits.
 template <typename Made>
 void expect_to_go_on(Made make) {
   auto whole = make(), first = make(), second = make();

@@ -15,7 +15,7 @@ TEST(Servo, CompressesWhatIsTooSlackAndReleasesWhatIsTooTight) {
   EXPECT_DOUBLE_EQ(motion.bottom_velocity.z(), 0.0);
   EXPECT_DOUBLE_EQ(motion.compression_rate_x, -0.1 * 0.1);
   EXPECT_DOUBLE_EQ(motion.compression_rate_y, 0.0);
-  EXPECT_GT(motion.top_velocity.x(), 0.0);  // shear is missing: the top goes on downslope
+  EXPECT_GT(motion.top_velocity.x(), 0.0);  // too little shear stress: the top moves further downslope
 }
 
 TEST(Servo, NeverExceedsItsRate) {

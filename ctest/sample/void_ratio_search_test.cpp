@@ -10,7 +10,7 @@
 namespace flowslide {
 namespace {
 
-/// A made-up law of preparation with the scatter of real ones: sin of the seed stands for chance.
+/// An invented preparation with the scatter of real ones; sin(seed) replaces chance.
 double made_up(const SampleRecipe& recipe) {
   const double chance = std::sin(12.9898 * static_cast<double>(recipe.packing.seed));
   return 0.72 + 0.16 * recipe.preparation_friction + 0.006 * chance;

@@ -65,7 +65,7 @@ TEST_F(SampleCache, PreparesASampleAndKeepsIt) {
   EXPECT_EQ(found.trials, 1);
   EXPECT_EQ(found.recipe.text(), easy.recipe.text());
   EXPECT_NEAR(found.sample.void_ratio, 0.75, 0.02);
-  EXPECT_NEAR(found.sample.stress.normal, 28340.0, 4e-3 * 28340.0);  // four stress tolerances: what rest() allows
+  EXPECT_NEAR(found.sample.stress.normal, 28340.0, 4e-3 * 28340.0);  // four stress tolerances, as rest() allows
   EXPECT_EQ(found.sample.steps, engine.steps());
   ASSERT_EQ(files().size(), 1U);
   EXPECT_EQ(files()[0].stem(), cache_key(easy.recipe, preparation_identity("block", "1")));
@@ -132,7 +132,7 @@ TEST_F(SampleCache, RemembersTrialsThatFailed) {
   EXPECT_EQ(first.preparations(), 3);
   EXPECT_EQ(made.trials, 1);
   EXPECT_EQ(made.recipe.packing.seed, easy.recipe.packing.seed + 2);
-  const FoundSample found = find(second);  // which would not fail: what it finds is what was kept
+  const FoundSample found = find(second);  // this engine would not fail: the failure was kept
   EXPECT_EQ(second.steps(), 0);
   EXPECT_EQ(found.trials, made.trials);
   EXPECT_EQ(found.recipe.text(), made.recipe.text());

@@ -18,12 +18,17 @@ SlopeProperties draining(double conductivity) {
   return slope;
 }
 
-/// p_w after some steps on a sample of modulus `real`, integrated with `assumed`.
+/// Oedometric modulus of the scheme and of the sample, Pa.
+struct Moduli {
+  double assumed = modulus, real = modulus;
+};
+
+/// p_w after some steps, Pa.
 double excess_after(ConsolidationScheme scheme, double conductivity, double time_step, int steps,
-                    double assumed = modulus, double real = modulus) {
-  const Consolidation consolidation(draining(conductivity), scheme, time_step, assumed);
+                    const Moduli& moduli = {}) {
+  const Consolidation consolidation(draining(conductivity), scheme, time_step, moduli.assumed);
   double excess = start;
-  for (int n = 0; n < steps; ++n) excess -= real * consolidation.increment(excess, 0.0);
+  for (int n = 0; n < steps; ++n) excess -= moduli.real * consolidation.increment(excess, 0.0);
   return excess;
 }
 
@@ -98,11 +103,12 @@ TEST(Consolidation, ExponentialIsStableUnderAnUpperBoundOfTheModulus) {
   const double step = 100.0 * consolidation_time_step_limit(draining(1e-3), modulus);
   for (const double share : {1.0, 0.5, 0.01}) {
     const double after =
-        excess_after(ConsolidationScheme::exponential, 1e-3, step, 3, modulus, share * modulus) / start;
+        excess_after(ConsolidationScheme::exponential, 1e-3, step, 3, {.real = share * modulus}) / start;
     EXPECT_NEAR(after, std::pow(1.0 - share, 3), 1e-12) << share;
   }
   // Below half the real modulus it is no bound, and grows.
-  EXPECT_GT(std::abs(excess_after(ConsolidationScheme::exponential, 1e-3, step, 100, 0.4 * modulus)), 1e10 * start);
+  EXPECT_GT(std::abs(excess_after(ConsolidationScheme::exponential, 1e-3, step, 100, {.assumed = 0.4 * modulus})),
+            1e10 * start);
 }
 
 TEST(Consolidation, RefusesWhatIsNoStepOrModulus) {

@@ -78,7 +78,7 @@ TEST(Sliding, GrowsBeyondTwoOverOmega) {
   EXPECT_GT(largest_swing(1.01 * limit, 200) * omega, 1e20);
 }
 
-TEST(Sliding, RefusesATimeStepThatIsNone) {
+TEST(Sliding, RefusesAnInvalidTimeStep) {
   for (const double step : {0.0, -1e-4, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(Sliding(slope, step), std::invalid_argument) << step;
   EXPECT_THROW(sliding_time_step_limit(slope, 0.0), std::invalid_argument);

@@ -23,7 +23,7 @@ declare -A below=(
   [program]="$below_program"
   [cases]="program $below_program"
 )
-# Single arrows beside the table, "folder included-file", each with the reason. `*` stands for any file of that folder.
+# Exceptions from the table, "folder included-file", each with its reason. `*` stands for any file of that folder.
 declare -A reason=(
   ['coupling grains/measures.hpp']='the rate of an inertial number is a formula of the grains'
   ['coupling grains/require.hpp']='a check of a number, no physics'
@@ -35,7 +35,7 @@ wrong=0 files=0
 declare -A used=()
 complain() { echo "$1"; wrong=$((wrong + 1)); }
 
-# excepted FOLDER INCLUDED: whether that arrow is one of those above.
+# excepted FOLDER INCLUDED: whether this arrow is an exception.
 excepted() {
   local arrow
   for arrow in "$1 $2" "$1 ${2%%/*}/*"; do

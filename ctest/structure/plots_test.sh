@@ -29,7 +29,7 @@ table RD.dat '0 2' '1 5' '2 8'
 table RD_r2.dat '0 3'
 printf 'slide time\n# column 1: slide\nRD 0.25\nRI 0.5\n' >"$folder/peaks.dat"
 printf 'RD\t{/:Italic A} = 3 kPa\n' >"$folder/legend.txt"
-# draw TABLES COMMANDS: exit code in `code`, what is printed in `said`.
+# draw TABLES COMMANDS: runs gnuplot; sets `code` to its exit code and `said` to its output.
 draw() {
   cat >"$room/test.gp" <<GNUPLOT
 tables = "$1"; command = "make them"
@@ -43,7 +43,7 @@ GNUPLOT
 }
 expect() { [[ $code == "$1" && $said == *"$2"* ]] || complain "expected $1 with '$2', got $code with '$said'"; }
 
-# drawn NAME USING: what gnuplot reads of a table, printed.
+# drawn NAME USING: commands that print the values that gnuplot reads from a table.
 drawn() { echo "set xrange [0:9]; set yrange [0:9]; set table \$drawn; plot data(\"$1\") using $2; unset table; print \$drawn"; }
 
 draw 'RD.dat' 'print replicates("RD"), rows("RD.dat")'

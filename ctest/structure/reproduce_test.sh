@@ -11,7 +11,7 @@ mkdir -p "$(dirname "$program")" "$room/bin"
 cp -r "$source_dir"/{reproduce,scripts,plots,packages.txt} "$tree"
 grep -E '^#|fig03_undrained' "$source_dir/plots/figures.txt" >"$tree/plots/figures.txt"   # the one case that it has
 
-# Set-up has nothing to do: cmake and gnuplot succeed (gnuplot notes what it was asked for, and says GNUPLOT_SAYS), and all
+# Stand-ins replace the set-up: cmake and gnuplot succeed (gnuplot notes its arguments and prints GNUPLOT_SAYS), and all
 # packages are there.
 for command in cmake gnuplot; do
   printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "$command" "$room" >"$room/bin/$command"

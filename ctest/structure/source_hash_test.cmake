@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# cmake -P source_hash_test.cmake: what changes the hash of sources, and what does not.
+# cmake -P source_hash_test.cmake: tests which changes of the sources change their hash.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../../cmake/SourceHash.cmake)
 

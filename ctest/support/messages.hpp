@@ -32,7 +32,7 @@ std::string message_of(Call&& call) {
   return {};
 }
 
-/// A fresh folder for one test, removed with all that it holds.
+/// A new folder for one test. The destructor removes it with its contents.
 class ScratchFolder {
  public:
   ScratchFolder() {

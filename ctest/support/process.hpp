@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Programs as processes that can be signalled, and what they print.
+// Programs as child processes that receive signals, and their output.
 #pragma once
 #include <fcntl.h>
 #include <signal.h>

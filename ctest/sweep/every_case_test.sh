@@ -10,7 +10,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 export FLOWSLIDE_CACHE=$room/cache OMP_NUM_THREADS=1
 
-# A copy of the scripts beside the programs as built, in which set-up has nothing to do.
+# A copy of the scripts beside the built programs. Its set-up does nothing.
 tree="$room/a project"
 mkdir -p "$tree/build/release" "$room/bin"
 cp -r "$source_dir"/{reproduce,scripts,plots,packages.txt} "$tree"
@@ -20,7 +20,7 @@ printf '#!/bin/sh\necho installed\n' >"$room/bin/dpkg-query"
 chmod +x "$room/bin/"*
 export PATH="$room/bin:$PATH"
 
-# engines_of PROGRAM: those that its --help offers.
+# engines_of PROGRAM: prints the engines that its --help offers.
 engines_of() { "$1" --help | tr -s '\n ' ' ' | sed 's/.*moves the grains: \([^;]*\);.*/\1/' | tr -d ' ' | tr ',' '\n'; }
 is_closed_form() { [[ $1 == elastic || $1 == critical_state ]]; }
 
@@ -40,7 +40,7 @@ settings_for() {
   else printf '%s\n' --set "point.${point%_r[0-9]*}.stop.end_time=20 ms"; fi
 }
 
-# sweep CASE ENGINE: prints what is wrong.
+# sweep CASE ENGINE: prints the faults.
 sweep() {
   local name=$1 engine=$2 program="$build/cases/$1/$1" folder="$room/out put/$1/$2" log="$room/$1.$2.log" options=() code
   [[ $("$program" --engine "$engine" --dry-run 2>&1 || true) != *'this build has no engine'* ]] || return 0

@@ -16,18 +16,18 @@ expect_end() {
   ((code == wanted)) || { complain "reproduce $* ended with $code, expected $wanted:"; cat "$room/log"; }
 }
 
-# Half of it first: the figure of what there is, and only then the whole.
+# First half of the points and a preliminary figure, then all points.
 "$1" --engine elastic --point RD_ramp --point RI_ramp --output "$folder" 2>"$room/log" || { cat "$room/log"; exit 1; }
 expect_end 0 --so-far
 for file in so_far/fig08.png so_far/RD_ramp_over_time.dat; do [[ -s $folder/$file ]] || complain "$file is missing"; done
-grep -q "so_far/fig08.png" "$room/log" || complain 'the picture of what there is goes unnamed'
+grep -q "so_far/fig08.png" "$room/log" || complain 'the preliminary figure is not named'
 before=$(find "$folder" -maxdepth 1 -name 'R?_ramp.h5' -printf '%p %T@\n' | sort)
 expect_end 4 --jobs 2
 expect_collected "$1" "$folder"
 [[ $(find "$folder" -maxdepth 1 -name 'R?_ramp.h5' -printf '%p %T@\n' | sort) == "$before" ]] ||
   complain 'points that were complete have been written again'
 
-# Each point on two ranks. A stand-in for mpirun notes what it is asked for.
+# Each point on two ranks. A stand-in for mpirun notes its arguments.
 printf '#!/bin/sh\necho "$*" >>"%s/asked"\nshift 2\nexec "$@"\n' "$room" >"$room/bin/mpirun"
 chmod +x "$room/bin/mpirun"
 rm "$folder/RD_hold.h5"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash
-# A copy of the scripts in an empty folder, with fig08_trigger as built: what a sweep needs of the project. Sourced;
+# Copies what a sweep needs of the project to an empty folder: the scripts, and fig08_trigger as built. Sourced;
 # sets `room` and `tree`.
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 room=$(mktemp -d)
@@ -8,7 +8,7 @@ tree="$room/a project"
 mkdir -p "$tree/build/release/cases/fig08_trigger" "$room/bin" "$room/home"
 cp -r "$source_dir"/{reproduce,scripts,plots,packages.txt} "$tree"
 ln -s "$1" "$tree/build/release/cases/fig08_trigger/"
-# Set-up has nothing to do: the program is there.
+# The set-up does nothing: the program exists.
 printf '#!/bin/sh\nexit 0\n' >"$room/bin/cmake"
 printf '#!/bin/sh\necho installed\n' >"$room/bin/dpkg-query"
 chmod +x "$room/bin/"*

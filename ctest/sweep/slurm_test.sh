@@ -76,7 +76,7 @@ grep -q 'figure: .*fig09.png' "$folder.slurm/collect.log" || { complain 'nothing
 [[ $(find "$folder.slurm" -name '*_*.log' | wc -l) == $(find "$folder" -name '*.h5' | wc -l) ]] ||
   complain 'points and tasks differ in number'
 
-# A task that is told to stop, as at the end of its time, ends with 75 and is queued again; the next time it goes on.
+# A task that receives the stop signal ends with 75 and is queued again; the next start continues it.
 cat >"$room/point" <<'POINT'
 #!/usr/bin/env bash
 [[ ! -e checkpoint ]] || { echo "$* resumed" >>points; exit 0; }
@@ -94,6 +94,6 @@ sleep 3
 scontrol update JobId="${job}_1" StartTime=now
 for _ in {1..150}; do [[ -e $room/points ]] && break; sleep 0.2; done
 [[ $(cat "$room/points" 2>/dev/null) == '-x --point only resumed' ]] ||
-  { complain 'a stopped point did not go on:'; cat "$room/task.log"; scontrol show job "$job"; }
+  { complain 'a stopped point did not continue:'; cat "$room/task.log"; scontrol show job "$job"; }
 echo "$failures failures"
 ((failures == 0))

@@ -10,7 +10,7 @@ snake() { snakemake -s "$tree/scripts/Snakefile" --nocolor -j 2 "$@" >"$room/log
 # expect_jobs RULE NUMBER: in the plan of a dry run.
 expect_jobs() { grep -qE "^$1 +$2 " "$room/log" || { complain "a dry run plans no $2 jobs of '$1':"; cat "$room/log"; }; }
 
-# On grains: one sample for each seed, behind it its points, behind all of them the figures.
+# On grains: one sample per seed, then its points, then the figures.
 snake --dry-run --config figures=fig08 results="$room/native" || { cat "$room/log"; exit 1; }
 expect_jobs sample 3
 expect_jobs point 6

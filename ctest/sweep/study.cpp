@@ -21,7 +21,7 @@ std::string content_of_file(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs a program in `room`; what it says is left in `said`.
+/// Runs a program in `room` and writes its output to `said`.
 int run(const Words& words, const fs::path& room, std::string& said) {
   Process process(words, room / "said");
   const int code = process.wait();
@@ -35,7 +35,7 @@ std::string end_of(const std::string& said) {
   return said.size() > most ? "..." + said.substr(said.size() - most) : said;
 }
 
-/// The part of a dry run that tells what was asked for.
+/// The part of a dry run that shows the settings.
 std::string configuration_in(const std::string& dry_run) { return dry_run.substr(0, dry_run.find("\n# point ")); }
 
 std::vector<std::string> points_in(const std::string& dry_run) {
@@ -166,7 +166,7 @@ class Study {
       if (std::any_of(others.begin(), others.end(), same_key)) continue;
       if (const std::string value = changed_value(setting.value, dice_); !value.empty() && value != setting.value)
         others.push_back({setting.key, value});
-      // A key that this engine does not read makes no other plan.
+      // A key that this engine does not read leaves the plan unchanged.
     } while (others.size() == changes_.size() || !valid(others) || configuration_in(said_) == configuration_in(plan_));
     refuse(others, others.back().text());
     expect(content_of_file(result(points_.front())) == before, "a refused run changed the result");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One random study of a case: what is done with it, and what has to hold.
+// One random study of a case: its actions and its checks.
 #pragma once
 #include <filesystem>
 #include <stdexcept>
@@ -15,7 +15,7 @@ struct StudyFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The program of a case, its points, and what draws it.
+/// The program of a case, its points, and the scripts that plot it.
 struct CaseUnderTest {
   std::string name;
   std::filesystem::path program;
@@ -34,7 +34,7 @@ struct StudyOutcome {
   std::string failure;
 };
 
-/// Draws a study and runs it, repeats it, changes it, collects it and draws it, in the folder `room`.
+/// Chooses a study at random, then runs, repeats, changes, collects and plots it in the folder `room`.
 StudyOutcome check_study(const CaseUnderTest& of, Dice dice, const std::filesystem::path& room);
 
 }  // namespace flowslide

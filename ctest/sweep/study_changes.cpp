@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<double> factors{0.5, 0.8, 0.95, 1.05, 1.25, 2.0};
 
-/// A number at the beginning of `text`, and what follows it.
+/// A number at the beginning of a text, and the rest of the text.
 struct Number {
   double value = 0.0;
   bool whole = false;
@@ -55,11 +55,11 @@ std::vector<Setting> settings_in(std::string_view dry_run) {
   while (!dry_run.empty()) {
     const std::string line(dry_run.substr(0, dry_run.find('\n')));
     dry_run.remove_prefix(std::min(line.size() + 1, dry_run.size()));
-    if (line.starts_with("# point ")) break;  // what follows is no configuration
+    if (line.starts_with("# point ")) break;  // the rest is no configuration
     const std::size_t equals = line.find(" = ");
     if (line.starts_with('#') || equals == std::string::npos) continue;
     std::string value = line.substr(equals + 3);
-    value.resize(std::min(value.size(), value.rfind(" # ")));  // where it comes from
+    value.resize(std::min(value.size(), value.rfind(" # ")));  // cuts off the origin
     value.resize(value.find_last_not_of(' ') + 1);
     settings.push_back({line.substr(0, equals), value});
   }

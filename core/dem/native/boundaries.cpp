@@ -61,18 +61,18 @@ void Boundaries::carry(std::vector<Body<double>>& bodies) const {
     if (!cell_.periodic[axis]) continue;
     const double factor = 1.0 - rates(motion_)[axis] * settings_.time_step;
     const double centre = 0.5 * (cell_.lower[axis] + cell_.upper[axis]);  // not changed by `advance`
-    for (std::size_t i = share_.begin; i < share_.end; ++i)
+    for (std::size_t i = range_.begin; i < range_.end; ++i)
       bodies[i].position[axis] = centre + factor * (bodies[i].position[axis] - centre);
   }
   if (!moves_faces()) return;
   const double factor = cell_.height() / height_before_;
-  for (std::size_t i = share_.begin; i < share_.end; ++i)
+  for (std::size_t i = range_.begin; i < range_.end; ++i)
     bodies[i].position[2] = cell_.lower.z() + factor * (bodies[i].position[2] - lower_before_);
 }
 
 void Boundaries::find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin) {
   near_.clear();
-  for (std::size_t i = share_.begin; i < share_.end; ++i) {
+  for (std::size_t i = range_.begin; i < range_.end; ++i) {
     if (role[i] != Role::mobile) continue;
     const Body<double>& body = bodies[i];
     const double reach = body.radius + skin;
@@ -100,7 +100,7 @@ double Boundaries::push_of(const Near& near, const Body<double>& body) const {
 }
 
 template <typename Real>
-void Boundaries::push(const Share& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+void Boundaries::push(const GrainRange& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
                       std::vector<Load<Real>>& loads) const {
   auto near = std::partition_point(near_.begin(), near_.end(), [&](const Near& n) { return n.grain < part.begin; });
   for (; near != near_.end() && near->grain < part.end; ++near) {
@@ -124,7 +124,7 @@ void Boundaries::remove_drag_moments(const std::vector<Body<double>>& bodies, co
                                      StressSums& sums) const {
   if (settings_.drag == 0.0) return;
   const UniformFlow flow = drag_flow(settings_.drag_reference, cell_, motion_);
-  for (std::size_t i = share_.begin; i < share_.end; ++i) {
+  for (std::size_t i = range_.begin; i < range_.end; ++i) {
     if (role[i] != Role::mobile) continue;
     const Vector3 drag = drag_on(bodies[i], flow);
     const Vector3 arm = Vector3::Map(bodies[i].position) - cell_.lower;
@@ -133,9 +133,9 @@ void Boundaries::remove_drag_moments(const std::vector<Body<double>>& bodies, co
   }
 }
 
-template void Boundaries::push(const Share&, const std::vector<Body<double>>&, const std::vector<Role>&,
+template void Boundaries::push(const GrainRange&, const std::vector<Body<double>>&, const std::vector<Role>&,
                                std::vector<Load<double>>&) const;
-template void Boundaries::push(const Share&, const std::vector<Body<double>>&, const std::vector<Role>&,
+template void Boundaries::push(const GrainRange&, const std::vector<Body<double>>&, const std::vector<Role>&,
                                std::vector<Load<float>>&) const;
 
 void Boundaries::add_upper_plane(const std::vector<Body<double>>& bodies, Vector3& force) const {

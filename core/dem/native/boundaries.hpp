@@ -6,17 +6,17 @@
 #include "dem/engine.hpp"
 #include "dem/native/body.hpp"
 #include "dem/native/motion_pass.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "dem/stress_sums.hpp"
 #include "dem/uniform_flow.hpp"
 
 namespace flowslide::native {
 
-/// Moves the cell, and adds the forces of planes and drag to the mobile grains of a share.
+/// Moves the cell, and adds the forces of planes and drag to the mobile grains of a range.
 class Boundaries {
  public:
-  Boundaries(const Cell& cell, const EngineSettings& settings, const Share& share)
-      : cell_(cell), settings_(settings), share_(share) {}
+  Boundaries(const Cell& cell, const EngineSettings& settings, const GrainRange& range)
+      : cell_(cell), settings_(settings), range_(range) {}
 
   void set(const EngineSettings& settings) { settings_ = settings; }
   void move(const BoundaryMotion& motion);
@@ -28,15 +28,15 @@ class Boundaries {
   bool renumbers() const { return renumbers_; }
   /// Whether a period changes. `carry` must then follow `advance`.
   bool carries() const;
-  /// Moves the grains of the share affinely with the change of the periods in the last step.
+  /// Moves the grains of the range affinely with the change of the periods in the last step.
   void carry(std::vector<Body<double>>& bodies) const;
   /// Lists the mobile grains whose gap to a plane is at most `skin` (m): only they can touch it before the next call.
   void find_near(const std::vector<Body<double>>& bodies, const std::vector<Role>& role, double skin);
-  /// Adds the forces of planes and drag to the loads of the mobile grains in a part of the share.
+  /// Adds the forces of planes and drag to the loads of the mobile grains in a part of the range.
   template <typename Real>
-  void push(const Share& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
+  void push(const GrainRange& part, const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
             std::vector<Load<Real>>& loads) const;
-  /// Subtracts the moments of drag on the mobile grains of the share from `sums`. Velocities are those of the half
+  /// Subtracts the moments of drag on the mobile grains of the range from `sums`. Velocities are those of the half
   /// step.
   void remove_drag_moments(const std::vector<Body<double>>& bodies, const std::vector<Role>& role,
                            StressSums& sums) const;
@@ -72,7 +72,7 @@ class Boundaries {
 
   Cell cell_;
   EngineSettings settings_;
-  Share share_;
+  GrainRange range_;
   BoundaryMotion motion_;
   double lower_before_ = 0.0, height_before_ = 0.0;  ///< lower end and height of the cell before the last step, m
   bool renumbers_ = false;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem/native/contact_pass.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
@@ -23,21 +23,33 @@ class CellGrid {
   /// the first n bodies count.
   template <typename Real>
   CellGrid(const Cell& cell, const std::vector<Body<Real>>& bodies, const std::vector<double>& allowance);
-  /// The pairs whose gap is below the sum of their allowances and of which the share owns at least one grain: first <
+  /// The pairs whose gap is below the sum of their allowances and of which the range owns at least one grain: first <
   /// second, sorted.
-  std::vector<NearPair> pairs(const Share& share) const;
+  std::vector<NearPair> pairs(const GrainRange& range) const;
 
  private:
   struct Sphere {
     double position[3], reach;
   };
+  /// Bins that are contiguous along x, in an image of the cell: the periods along x, y and z (-1, 0 or 1) between the
+  /// cell and this image.
+  struct BinRow {
+    std::size_t first, last;
+    std::array<int, 3> image;
+  };
+  /// The pairs of a range: those in which the range owns the first grain, and those in which it owns only the second.
+  struct FoundPairs {
+    std::size_t begin;  ///< first grain of the range
+    std::vector<NearPair> own, earlier = {};
+  };
   int bin_along(int axis, double coordinate) const;
-  void add_pairs(std::uint32_t i, const Share& share, std::vector<NearPair>& later,
-                 std::vector<NearPair>& earlier) const;
-  void add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, const Share& share,
-                            std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
-  void add_from_bins(std::uint32_t i, std::size_t first_bin, std::size_t last_bin, const std::array<int, 3>& image,
-                     const Share& share, std::vector<NearPair>& later, std::vector<NearPair>& earlier) const;
+  /// Adds the pairs of grain `i`, which the range owns, with later grains of any range and earlier grains of other
+  /// ranges.
+  void add_pairs(std::uint32_t i, FoundPairs& found) const;
+  /// The same with the grains of some bins.
+  void add_from_bins(std::uint32_t i, const BinRow& bins, FoundPairs& found) const;
+  /// The same beyond a sheared face. `row` is the first bin of a row along x.
+  void add_across_the_shear(std::uint32_t i, std::size_t row, std::array<int, 3> image, FoundPairs& found) const;
 
   std::array<bool, 3> periodic_;
   Vector3 lower_, length_;

@@ -17,7 +17,7 @@ namespace flowslide {
 namespace {
 
 using native::Body;
-using native::Share;
+using native::GrainRange;
 
 /// Number of grains from which several threads pay. For smaller samples one run per core is more efficient.
 constexpr std::size_t grains_for_threads = 10'000;
@@ -38,7 +38,7 @@ void fold(const Cell& cell, Body<double>& body) {
 }
 
 /// The cell with its shear offset reduced to at most half a period.
-Cell numbered(Cell cell) {
+Cell with_reduced_offset(Cell cell) {
   if (cell.shear_offset != 0.0) cell.shear_offset = std::remainder(cell.shear_offset, cell.lengths().x());
   return cell;
 }
@@ -114,11 +114,11 @@ void NativeEngine<Real>::take_grains(const Assembly& assembly, const Cell& cell)
   grains_.smallest_diameter = 2.0 * assembly.smallest_radius();
 }
 
-/// Divides the grains into shares of whole blocks.
+/// Divides the grains into ranges of whole blocks.
 template <typename Real>
-std::vector<Share> NativeEngine<Real>::shares(int threads) const {
+std::vector<GrainRange> NativeEngine<Real>::ranges(int threads) const {
   const std::size_t n = grains_.role.size(), blocks = grains_.moments.size();
-  std::vector<Share> parts;
+  std::vector<GrainRange> parts;
   for (std::size_t t = 0, count = static_cast<std::size_t>(threads); t < count; ++t)
     parts.push_back({blocks * t / count * native::block_size,
                      std::min(n, blocks * (t + 1) / count * native::block_size)});
@@ -126,17 +126,17 @@ std::vector<Share> NativeEngine<Real>::shares(int threads) const {
 }
 
 template <typename Real>
-void NativeEngine<Real>::hire(const Cell& cell) {
+void NativeEngine<Real>::start_workers(const Cell& cell) {
   const std::size_t n = grains_.role.size();
   int threads = options_.threads;
   if (threads == 0) threads = n < grains_for_threads ? 1 : static_cast<int>(std::thread::hardware_concurrency());
   threads = std::clamp(threads, 1, std::max(1, static_cast<int>(grains_.moments.size())));
   if (!team_ || team_->size() != threads) team_ = std::make_unique<native::ThreadTeam>(threads);
-  grains_.publish(static_cast<std::size_t>(threads));
+  grains_.fill_buffers(static_cast<std::size_t>(threads));
   const native::Passes<Real> passes = native::passes<Real>(options_.instruction_set);
   workers_.clear();
-  for (const Share& share : shares(threads))
-    workers_.emplace_back(share, grains_, native::Boundaries(cell, settings_, share),
+  for (const GrainRange& range : ranges(threads))
+    workers_.emplace_back(range, grains_, native::Boundaries(cell, settings_, range),
                           options_.first_allowance * grains_.smallest_diameter, passes);
 }
 
@@ -146,7 +146,7 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
   motion_ = {};
   half_step_ = false;
   require_shear_along_periods(assembly.cell, assembly.cell.shear_velocity * Vector3::UnitX());
-  const Cell cell = numbered(assembly.cell);
+  const Cell cell = with_reduced_offset(assembly.cell);
   take_grains(assembly, cell);
   const double least_period = 2.0 * native::Worker<Real>::longest_reach(grains_);
   for (int axis = 0; axis < 3; ++axis)
@@ -154,7 +154,7 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
       throw EngineError(fmt::format("the cell is {} m long along periodic axis {}; a grain would meet two images of "
                                     "another: at least {} m are needed", assembly.cell.lengths()[axis], axis,
                                     least_period));
-  hire(cell);
+  start_workers(cell);
   prepare_law();
   take_loads(assembly);
   sum_up();
@@ -171,12 +171,12 @@ void NativeEngine<Real>::load(const Assembly& assembly, const EngineSettings& se
 template <typename Real>
 void NativeEngine<Real>::take_loads(const Assembly& assembly) {
   for (native::Worker<Real>& worker : workers_) {
-    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
+    for (std::size_t i = worker.range().begin; i < worker.range().end; ++i)
       for (int axis = 0; axis < 3; ++axis) {
         worker.loads()[i].force[axis] = static_cast<Real>(assembly.force[i][axis]);
         worker.loads()[i].torque[axis] = static_cast<Real>(assembly.torque[i][axis]);
       }
-    worker.measure(worker.share(), 0);
+    worker.measure(worker.range(), 0);
   }
 }
 
@@ -265,16 +265,16 @@ void NativeEngine<Real>::run(std::int64_t steps) {
   team_->run([this, steps](int number) {  // the first begin includes the end of the last step of the previous run
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
     if (law_is_new_) worker.list().forget(grains_.variant);
-    int turn = 1;
-    worker.begin(!half_step_, turn);
-    for (std::int64_t left = steps; left > 1; --left, turn = 1 - turn) {
+    int buffer = 1;
+    worker.begin(!half_step_, buffer);
+    for (std::int64_t left = steps; left > 1; --left, buffer = 1 - buffer) {
       team_->barrier();
-      worker.meet(workers_, turn);
-      worker.evaluate_and_begin(turn);
+      worker.update_list(workers_, buffer);
+      worker.evaluate_and_begin(buffer);
     }
     team_->barrier();
-    worker.meet(workers_, turn);
-    worker.evaluate(turn);
+    worker.update_list(workers_, buffer);
+    worker.evaluate(buffer);
   });
   grains_.end_run(static_cast<int>(steps % 2));
   half_step_ = true;
@@ -324,7 +324,7 @@ std::vector<Body<Real>> NativeEngine<Real>::at_half_step() const {
   for (const Body<double>& body : grains_.bodies) rounded.push_back(native::in_precision<Real>(body));
   if (half_step_) return rounded;
   for (const native::Worker<Real>& worker : workers_)
-    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i)
+    for (std::size_t i = worker.range().begin; i < worker.range().end; ++i)
       for (int axis = 0; axis < 3; ++axis) {
         const Body<double>& body = grains_.bodies[i];
         const native::Load<Real>& load = worker.loads()[i];
@@ -343,7 +343,7 @@ Assembly NativeEngine<Real>::save() const {
   const std::vector<Body<Real>> half_step = at_half_step();
   for (const native::Worker<Real>& worker : workers_) {
     if (half_step_) worker.end(bodies);
-    for (std::size_t i = worker.share().begin; i < worker.share().end; ++i) {
+    for (std::size_t i = worker.range().begin; i < worker.range().end; ++i) {
       const Body<double>& body = bodies[i];
       assembly.position[i] = Vector3::Map(body.position);
       assembly.velocity[i] = Vector3::Map(body.velocity);

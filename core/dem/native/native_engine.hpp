@@ -58,9 +58,9 @@ class NativeEngine : public Engine {
 
  private:
   void take_grains(const Assembly& assembly, const Cell& cell);
-  void hire(const Cell& cell);
+  void start_workers(const Cell& cell);
   void prepare_law();
-  std::vector<native::Share> shares(int threads) const;
+  std::vector<native::GrainRange> ranges(int threads) const;
   void take_loads(const Assembly& assembly);
   void take_last_step(const Assembly& assembly);
   std::vector<native::Body<Real>> at_half_step() const;

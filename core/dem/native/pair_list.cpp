@@ -51,7 +51,7 @@ void PairList<Real>::search(const Cell& cell, const Bodies& bodies, const std::v
   law_ = law;
   candidates_.clear();
   folded_.assign(role.size(), 0);
-  for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(share_))
+  for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(range_))
     if (role[pair.first] == Role::mobile || role[pair.first] != role[pair.second])
       candidates_.push_back(candidate(pair, bodies));
   const auto nobody = static_cast<std::uint32_t>(role.size());
@@ -149,7 +149,7 @@ void PairList<Real>::add_histories(const Bodies& bodies, std::vector<ContactHist
   };
   for (std::size_t p = 0; p < pairs_; ++p) {
     const std::uint32_t i = columns_.first[p], j = columns_.second[p];
-    if (!share_.owns(i) || separation(p, bodies).norm() >= bodies[i].radius + bodies[j].radius) continue;
+    if (!range_.owns(i) || separation(p, bodies).norm() >= bodies[i].radius + bodies[j].radius) continue;
     ContactHistory contact{i, j, history(0, p), history(3, p)};
     if (eased) {
       contact.spring_cap = cap(contact.tangential_spring, eased->history(0, p));

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "dem/native/cell_grid.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
 
-/// The neighbour list of a share: all pairs whose gap is below the sum of the allowances of both grains and of which
-/// the share owns at least one grain. Pairs of one glued layer are excluded. Sorted by (first, second), first < second.
+/// The neighbour list of a range: all pairs whose gap is below the sum of the allowances of both grains and of which
+/// the range owns at least one grain. Pairs of one glued layer are excluded. Sorted by (first, second), first < second.
 /// Open pairs contribute exact zeros, so that results depend neither on the allowances nor on the time of building. A
 /// list is built from the pairs of a search with wider allowances. A search costs more and is rarer (Pall and Hess
 /// 2013, doi 10.1016/j.cpc.2013.06.003, prune their lists in this way). `Real` is the precision of constants and
@@ -19,10 +19,11 @@ template <typename Real>
 class PairList {
  public:
   using Bodies = std::vector<Body<Real>>;
-  explicit PairList(const Share& share) : share_(share) {}
+  explicit PairList(const GrainRange& range) : range_(range) {}
 
   /// Finds the pairs from which lists are built. `bodies` are folded into the cell; the last two are no grains but pad
-  /// the last tile. `allowance` (m), shape (n), is that of each grain. The pairs store what `law` needs. Call `build` next.
+  /// the last tile. `allowance` (m), shape (n), is that of each grain. The pairs store what `law` needs. Call `build`
+  /// next.
   void search(const Cell& cell, const Bodies& bodies, const std::vector<Role>& role,
               const std::vector<double>& allowance, ContactLaw law);
   /// Builds the list and keeps the histories of pairs that were in the list before. `allowance` (m), shape (n): at most
@@ -34,7 +35,7 @@ class PairList {
   void set_histories(const std::vector<ContactHistory>& contacts);
   /// Clears the histories that this variant of the law does not use.
   void forget(LawVariant variant);
-  /// Appends the histories of touching pairs whose first grain the share owns. `eased` is a copy of this list after a
+  /// Appends the histories of touching pairs whose first grain the range owns. `eased` is a copy of this list after a
   /// contact pass with a time step of 0 and with the friction multiplied by (1 - easing). A history that is shorter in
   /// this copy is at its cap. Without `eased`, caps are unknown.
   void add_histories(const Bodies& bodies, std::vector<ContactHistory>& contacts,
@@ -69,7 +70,7 @@ class PairList {
   Vector3 history(std::size_t first_component, std::size_t pair) const;
   void set_shifts(const Cell& cell);
 
-  Share share_;
+  GrainRange range_;
   ContactLaw law_ = ContactLaw::hertz;  ///< of the last search
   std::vector<Candidate> candidates_;
   std::vector<int> folded_;  ///< change of the image number of each grain's pairs by folds since the search

@@ -11,7 +11,7 @@ namespace flowslide::native {
 namespace {
 
 /// Number of checks of a barrier before a thread yields its core: some microseconds, less than a step.
-constexpr int looks_before_yield = 2000;
+constexpr int spins_before_yield = 2000;
 /// Number of yields before a thread without a task sleeps. While a sample is sheared, the next task follows soon.
 constexpr int yields_before_sleep = 200;
 
@@ -19,24 +19,24 @@ constexpr int yields_before_sleep = 200;
 
 ThreadTeam::ThreadTeam(int size) : size_(size) {
   try {
-    for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { serve(number); });
+    for (int number = 1; number < size; ++number) threads_.emplace_back([this, number] { run_tasks(number); });
   } catch (const std::system_error& error) {
-    send_home();
+    join_threads();
     throw EngineError(
         fmt::format("the native engine cannot start {} threads: {}; let it use fewer", size, error.what()));
   }
 }
 
-ThreadTeam::~ThreadTeam() { send_home(); }
+ThreadTeam::~ThreadTeam() { join_threads(); }
 
-void ThreadTeam::send_home() {
+void ThreadTeam::join_threads() {
   task_ = nullptr;
   call_.fetch_add(1, std::memory_order_release);
   call_.notify_all();
   for (std::thread& thread : threads_) thread.join();
 }
 
-void ThreadTeam::serve(int number) {
+void ThreadTeam::run_tasks(int number) {
   for (unsigned call = 0;; ++call) {
     for (int yields = 0; call_.load(std::memory_order_acquire) == call; ++yields)
       if (yields < yields_before_sleep)
@@ -67,8 +67,8 @@ void ThreadTeam::barrier() {
     phase_.fetch_add(1, std::memory_order_release);
     return;
   }
-  for (int looks = 0; phase_.load(std::memory_order_acquire) == phase; ++looks)
-    if (looks >= looks_before_yield) std::this_thread::yield();
+  for (int spins = 0; phase_.load(std::memory_order_acquire) == phase; ++spins)
+    if (spins >= spins_before_yield) std::this_thread::yield();
 }
 
 }  // namespace flowslide::native

@@ -25,8 +25,8 @@ class ThreadTeam {
   void barrier();
 
  private:
-  void serve(int number);
-  void send_home();
+  void run_tasks(int number);
+  void join_threads();
 
   int size_;
   std::atomic<int> arrived_{0};

@@ -28,13 +28,13 @@ constexpr std::size_t pairs_at_once = 4 * tile_size;
 }  // namespace
 
 template <typename Real>
-Worker<Real>::Worker(const Share& share, Grains<Real>& grains, const Boundaries& boundaries, double first_allowance,
-                     const Passes<Real>& passes)
-    : share_(share),
+Worker<Real>::Worker(const GrainRange& range, Grains<Real>& grains, const Boundaries& boundaries,
+                     double first_allowance, const Passes<Real>& passes)
+    : range_(range),
       grains_(grains),
       boundaries_(boundaries),
       passes_(passes),
-      list_(share),
+      list_(range),
       loads_(grains.bodies.size()),
       across_(grains.moments.size()),
       allowance_(grains.role.size()),
@@ -42,32 +42,38 @@ Worker<Real>::Worker(const Share& share, Grains<Real>& grains, const Boundaries&
       allowance_at_rest_(first_allowance) {}
 
 template <typename Real>
-void Grains<Real>::publish(std::size_t workers) {
-  rounded.clear();
+void Grains<Real>::fill_buffers(std::size_t workers) {
+  first_buffer.clear();
   if constexpr (!std::is_same_v<Real, double>)
-    for (const Body<double>& body : bodies) rounded.push_back(in_precision<Real>(body));
-  other.clear();
-  if (workers > 1) other = seen(0);
+    for (const Body<double>& body : bodies) first_buffer.push_back(in_precision<Real>(body));
+  second_buffer.clear();
+  if (workers > 1) second_buffer = state(0);
 }
 
 template <typename Real>
-MovingGrains<Real> Worker<Real>::moving(const Share& part, int from, int to) {
-  return {part.begin, part.end, grains_.kick.data(), grains_.twist.data(), grains_.exact(from).data(),
-          grains_.seen(to).data(), loads_.data()};
+MovingGrains<Real> Worker<Real>::moving(const GrainRange& part, int from, int to) {
+  return {part.begin,
+          part.end,
+          grains_.kick.data(),
+          grains_.twist.data(),
+          grains_.state_in_double(from).data(),
+          grains_.state(to).data(),
+          loads_.data()};
 }
 
 template <typename Real>
 void Worker<Real>::fold(std::vector<Body<double>>& bodies, std::vector<Fold>& folds) {
   // At every step, not only when the list is built, because a folded coordinate rounds differently.
   const Cell& cell = boundaries_.cell();
-  for (std::size_t i = share_.begin; i < share_.end; ++i)
+  for (std::size_t i = range_.begin; i < range_.end; ++i)
     for (int axis = 2; axis >= 0; --axis) {  // z first, because in a sheared cell folding along z changes x
       double& x = bodies[i].position[axis];
       const bool below = x < cell.lower[axis], above = x >= cell.upper[axis];
       if ((!below && !above) || !cell.periodic[axis] || !std::isfinite(x)) continue;  // count_grains sees a lost grain
       const int periods = below ? 1 : -1;
       x += periods * cell.lengths()[axis];
-      for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->carry(i, axis, periods * cell.lengths()[axis]);
+      for (DisplacementCheck<Real>* check : {&list_check_, &search_check_})
+        check->carry(i, axis, periods * cell.lengths()[axis]);
       if (axis == 2) cross_the_shear(bodies[i], i, periods);
       folds.push_back({static_cast<std::uint32_t>(i), axis, periods});
     }
@@ -78,62 +84,62 @@ void Worker<Real>::cross_the_shear(Body<double>& body, std::size_t grain, int la
   const Cell& cell = boundaries_.cell();
   body.position[0] += layers * cell.shear_offset;
   body.velocity[0] += layers * cell.shear_velocity;
-  for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->cross_the_shear(grain, layers, cell);
+  for (DisplacementCheck<Real>* check : {&list_check_, &search_check_}) check->cross_the_shear(grain, layers, cell);
 }
 
 template <typename Real>
-void Worker<Real>::begin(bool first, int turn) {
+void Worker<Real>::begin(bool first, int buffer) {
   const MeanFlow flow = boundaries_.mean_flow();
   const MotionPart part = first ? MotionPart::begin : MotionPart::end_and_begin;
-  arrive(passes_.motion(part, grains_.time_step, flow, boundaries_.periods(), moving(share_, 1 - turn, turn)), flow,
-         turn);
+  finish_first_half(
+      passes_.motion(part, grains_.time_step, flow, boundaries_.periods(), moving(range_, 1 - buffer, buffer)), flow,
+      buffer);
 }
 
 template <typename Real>
-void Worker<Real>::arrive(const MotionExtremes& extremes, const MeanFlow& flow, int turn) {
-  for (StrayWatch<Real>* watch : {&watch_, &search_watch_}) watch->follow(flow, grains_.time_step);
+void Worker<Real>::finish_first_half(const MotionExtremes& extremes, const MeanFlow& flow, int buffer) {
+  for (DisplacementCheck<Real>* check : {&list_check_, &search_check_}) check->follow(flow, grains_.time_step);
   boundaries_.advance();
   const bool carried = boundaries_.carries();
-  std::vector<Body<double>>& bodies = grains_.exact(turn);
+  std::vector<Body<double>>& bodies = grains_.state_in_double(buffer);
   if (carried) boundaries_.carry(bodies);
-  News& news = news_[static_cast<std::size_t>(turn)];
-  news.fluctuation_squared = extremes.fluctuation_squared;
-  news.folds.clear();
-  if (carried || extremes.outside) fold(bodies, news.folds);
+  StepResults& results = results_[static_cast<std::size_t>(buffer)];
+  results.fluctuation_squared = extremes.fluctuation_squared;
+  results.folds.clear();
+  if (carried || extremes.outside) fold(bodies, results.folds);
   if constexpr (!std::is_same_v<Real, double>)
-    if (carried || !news.folds.empty())
-      for (std::size_t i = share_.begin; i < share_.end; ++i)
-        grains_.seen(turn)[i] = in_precision<Real>(bodies[i]);
-  const MovingGrains<Real> here = moving(share_, turn, turn);
-  if (watch_.measures()) news.slack = watch_.measure(passes_.slack, here);
-  if (search_watch_.measures()) news.search_slack = search_watch_.measure(passes_.slack, here);
+    if (carried || !results.folds.empty())
+      for (std::size_t i = range_.begin; i < range_.end; ++i) grains_.state(buffer)[i] = in_precision<Real>(bodies[i]);
+  const MovingGrains<Real> here = moving(range_, buffer, buffer);
+  if (list_check_.measures()) results.slack = list_check_.measure(passes_.slack, here);
+  if (search_check_.measures()) results.search_slack = search_check_.measure(passes_.slack, here);
 }
 
 template <typename Real>
-void Worker<Real>::meet(const std::vector<Worker>& all, int turn) {
+void Worker<Real>::update_list(const std::vector<Worker>& all, int buffer) {
   double squared = 0.0, slack = std::numeric_limits<double>::infinity(), search_slack = slack;
   for (const Worker& worker : all) {
-    const News& news = worker.news_[static_cast<std::size_t>(turn)];
-    squared = std::max(squared, news.fluctuation_squared);
-    slack = std::min(slack, news.slack);
-    search_slack = std::min(search_slack, news.search_slack);
-    for (const Fold& fold : news.folds) list_.carry(fold.grain, fold.axis, fold.periods);
+    const StepResults& results = worker.results_[static_cast<std::size_t>(buffer)];
+    squared = std::max(squared, results.fluctuation_squared);
+    slack = std::min(slack, results.slack);
+    search_slack = std::min(search_slack, results.search_slack);
+    for (const Fold& fold : results.folds) list_.carry(fold.grain, fold.axis, fold.periods);
   }
   // Two neighbours, or a grain and a plane, approach by their deviations from the mean flow and by the mean flow over
   // their distance.
   const double reach = longest_reach(grains_);
-  const double pace = grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach) +
-                                           boundaries_.side_speed());
+  const double largest_growth =
+      grains_.time_step * (std::sqrt(squared) + 0.5 * boundaries_.mean_flow_speed(reach) + boundaries_.side_speed());
   const bool compressed = boundaries_.compresses();
-  const bool list_is_old = watch_.spend(pace, slack, reach, compressed);
-  if (search_watch_.spend(pace, search_slack, reach, compressed) || boundaries_.renumbers())
-    rebuild(turn);
+  const bool list_is_old = list_check_.advance(largest_growth, slack, reach, compressed);
+  if (search_check_.advance(largest_growth, search_slack, reach, compressed) || boundaries_.renumbers())
+    rebuild(buffer);
   else if (list_is_old)
-    build(turn);
+    build(buffer);
 }
 
 template <typename Real>
-void Worker<Real>::allow(const std::vector<Body<Real>>& bodies) {
+void Worker<Real>::set_allowances(const std::vector<Body<Real>>& bodies) {
   const MeanFlow flow = boundaries_.mean_flow();
   for (std::size_t i = 0; i < allowance_.size(); ++i) {
     double squared = 0.0;
@@ -149,85 +155,84 @@ void Worker<Real>::allow(const std::vector<Body<Real>>& bodies) {
 }
 
 template <typename Real>
-void Worker<Real>::rebuild(int turn) {
-  const std::vector<Body<double>>& bodies = grains_.exact(turn);
-  allow(grains_.seen(turn));
-  list_.search(boundaries_.cell(), grains_.seen(turn), grains_.role, search_allowance_, grains_.law.law);
-  search_watch_.start(share_, bodies, search_allowance_);
+void Worker<Real>::rebuild(int buffer) {
+  const std::vector<Body<double>>& bodies = grains_.state_in_double(buffer);
+  set_allowances(grains_.state(buffer));
+  list_.search(boundaries_.cell(), grains_.state(buffer), grains_.role, search_allowance_, grains_.law.law);
+  search_check_.start(range_, bodies, search_allowance_);
   boundaries_.find_near(bodies, grains_.role, most * grains_.smallest_diameter);
-  build(turn);
+  build(buffer);
 }
 
 template <typename Real>
-void Worker<Real>::build(int turn) {
+void Worker<Real>::build(int buffer) {
   const double size = grains_.smallest_diameter;
-  if (watch_.age() > 0) {  // not for the first list
-    if (watch_.age() < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
-    if (watch_.age() > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
+  if (list_check_.age() > 0) {  // not for the first list
+    if (list_check_.age() < shortest_age) allowance_at_rest_ = std::min(1.5 * allowance_at_rest_, most_at_rest * size);
+    if (list_check_.age() > longest_age) allowance_at_rest_ = std::max(0.8 * allowance_at_rest_, least_at_rest * size);
   }
-  allow(grains_.seen(turn));
-  list_.build(boundaries_.cell(), grains_.seen(turn), allowance_);
-  watch_.start(share_, grains_.exact(turn), allowance_);
+  set_allowances(grains_.state(buffer));
+  list_.build(boundaries_.cell(), grains_.state(buffer), allowance_);
+  list_check_.start(range_, grains_.state_in_double(buffer), allowance_);
 }
 
 template <typename Real>
 template <typename Then>
-void Worker<Real>::sum_loads(int turn, AcrossFaces* across, Then then) {
+void Worker<Real>::sum_loads(int buffer, AcrossFaces* across, Then then) {
   PairView<Real> pairs = list_.view(boundaries_.cell());
   const std::size_t all = pairs.end;
-  Share part{share_.begin, share_.begin};
-  for (pairs.end = 0; part.end < share_.end;) {
+  GrainRange part{range_.begin, range_.begin};
+  for (pairs.end = 0; part.end < range_.end;) {
     pairs.begin = pairs.end;
     pairs.end = std::min(all, pairs.begin + pairs_at_once);
-    passes_.contacts(grains_.variant, grains_.law, pairs, grains_.seen(turn).data(), loads_.data(), across);
+    passes_.contacts(grains_.variant, grains_.law, pairs, grains_.state(buffer).data(), loads_.data(), across);
     // Pairs are sorted by their first, smaller grain: no later pair has a grain before it.
-    part.end = share_.end;
+    part.end = range_.end;
     if (pairs.end < all)
-      part.end = std::clamp<std::size_t>(pairs.first[pairs.end] / block_size * block_size, part.begin, share_.end);
-    boundaries_.push(part, grains_.exact(turn), grains_.role, loads_);
+      part.end = std::clamp<std::size_t>(pairs.first[pairs.end] / block_size * block_size, part.begin, range_.end);
+    boundaries_.push(part, grains_.state_in_double(buffer), grains_.role, loads_);
     then(part);
     part.begin = part.end;
   }
 }
 
 template <typename Real>
-void Worker<Real>::evaluate(int turn) {
+void Worker<Real>::evaluate(int buffer) {
   std::fill(across_.begin(), across_.end(), AcrossFaces{});
-  sum_loads(turn, across_.data(), [&](const Share& part) { measure(part, turn); });
-  for (std::size_t block = share_.begin / block_size; block * block_size < share_.end; ++block)
+  sum_loads(buffer, across_.data(), [&](const GrainRange& part) { measure(part, buffer); });
+  for (std::size_t block = range_.begin / block_size; block * block_size < range_.end; ++block)
     grains_.across[block] = across_[block];
 }
 
 template <typename Real>
-void Worker<Real>::evaluate_and_begin(int turn) {
-  const int next_turn = 1 - turn;
+void Worker<Real>::evaluate_and_begin(int buffer) {
+  const int next_buffer = 1 - buffer;
   const MeanFlow flow = boundaries_.mean_flow();
   const Box periods = boundaries_.periods();
   MotionExtremes extremes;
-  sum_loads(turn, nullptr, [&](const Share& part) {
-    extremes.widen(passes_.motion(MotionPart::end_and_begin, grains_.time_step, flow, periods,
-                                  moving(part, turn, next_turn)));
+  sum_loads(buffer, nullptr, [&](const GrainRange& part) {
+    extremes.widen(
+        passes_.motion(MotionPart::end_and_begin, grains_.time_step, flow, periods, moving(part, buffer, next_buffer)));
   });
-  arrive(extremes, flow, next_turn);
+  finish_first_half(extremes, flow, next_buffer);
 }
 
 template <typename Real>
-void Worker<Real>::measure(const Share& part, int turn) {
+void Worker<Real>::measure(const GrainRange& part, int buffer) {
   const Cell& cell = boundaries_.cell();
   alignas(32) double origin[4] = {}, weight_of_glued[4] = {};
   Vector3::Map(origin) = cell.lower;
   for (int axis = 0; axis < 3; ++axis) weight_of_glued[axis] = cell.periodic[axis] ? 1.0 : 0.0;
   const Box confines = boundaries_.confines();
   for (std::size_t begin = part.begin; begin < part.end; begin += block_size)
-    grains_.moments[begin / block_size] =
-        passes_.moments(origin, weight_of_glued, confines,
-                        moving({begin, std::min(begin + block_size, part.end)}, turn, turn));
+    grains_.moments[begin / block_size] = passes_.moments(
+        origin, weight_of_glued, confines, moving({begin, std::min(begin + block_size, part.end)}, buffer, buffer));
 }
 
 template <typename Real>
 void Worker<Real>::end(std::vector<Body<double>>& bodies) const {
   passes_.motion(MotionPart::end, grains_.time_step, boundaries_.mean_flow(), boundaries_.periods(),
-                 {share_.begin, share_.end, grains_.kick.data(), grains_.twist.data(), bodies.data(), nullptr,
+                 {range_.begin, range_.end, grains_.kick.data(), grains_.twist.data(), bodies.data(), nullptr,
                   const_cast<Load<Real>*>(loads_.data())});
 }
 
@@ -235,7 +240,7 @@ template <typename Real>
 void Worker<Real>::add_boundary_forces(StressSums& sums) const {
   boundaries_.add_upper_plane(grains_.bodies, sums.upper_plane);
   for (const std::uint32_t i : grains_.top_layer)
-    for (int axis = 0; axis < 3 && share_.owns(i); ++axis) sums.top_force[axis] -= loads_[i].force[axis];
+    for (int axis = 0; axis < 3 && range_.owns(i); ++axis) sums.top_force[axis] -= loads_[i].force[axis];
   boundaries_.remove_drag_moments(grains_.bodies, grains_.role, sums);
 }
 

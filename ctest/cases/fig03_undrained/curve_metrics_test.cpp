@@ -84,7 +84,7 @@ TEST(CurveMetrics, FindLossAndRegain) {
   EXPECT_NEAR(metrics.at("regained_shear"), 0.2, rounding);
   EXPECT_NEAR(metrics.at("regain_over_peak"), 2000.0 / 3000.0, rounding);
   Series lower = curve();
-  set(lower, "normal_stress", 26, 10.0);  // beyond 25 %: too late to be the liquefaction that comes first
+  set(lower, "normal_stress", 26, 10.0);  // beyond 25 %: too late for the first liquefaction
   EXPECT_NEAR(metrics_of(lower).at("lowest_normal"), 0.1, rounding);
   set(lower, "normal_stress", 25, 20.0);
   EXPECT_NEAR(metrics_of(lower).at("lowest_normal"), 0.002, rounding);
@@ -136,7 +136,7 @@ TEST(CurveMetrics, LeaveOutWhatAShortCurveDoesNotHave) {
 }
 
 TEST(CurveMetrics, LeaveOutWhatIsNotANumber) {
-  // Dilating from the start and without shear stress there: nothing that a regain could be compared with.
+  // Dilates from the start, where the shear stress is 0: a regain of strength has no reference.
   Series dilating = curve();
   for (std::size_t row = 0; row < dilating.rows(); ++row)
     set(dilating, "normal_stress", row, 10e3 + 100.0 * static_cast<double>(row));

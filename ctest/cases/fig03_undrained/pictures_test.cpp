@@ -19,7 +19,7 @@ class PicturesTest : public testing::Test {
  protected:
   PicturesTest() { fs::remove_all(folder_); }
   ~PicturesTest() override { fs::remove_all(folder_); }
-  /// Its own for each test: they may run side by side.
+  /// A folder for each test, because tests may run in parallel.
   const fs::path folder_ = fs::path(testing::TempDir()) /
                            (std::string("pictures_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };

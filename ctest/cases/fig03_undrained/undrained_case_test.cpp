@@ -49,7 +49,7 @@ class UndrainedProgram : public testing::Test {
     outcome.error = testing::internal::GetCapturedStderr();
     return outcome;
   }
-  /// What is said of bad input: exit code 2, one message on stderr, nothing else anywhere.
+  /// The message about bad input. Expects exit code 2, one message on stderr and no other output.
   std::string complaint(const Options& options) const {
     const Outcome outcome = run(options);
     EXPECT_EQ(outcome.code, 2) << outcome.error;
@@ -86,8 +86,9 @@ TEST_F(UndrainedProgram, HasPointsForEveryReplicate) {
 }
 
 TEST_F(UndrainedProgram, PlansAndWritesNothing) {
-  const Outcome plan = run({"--dry-run", "--point", "e0_790", "--set", "point.e0_790.shear_rate=0.25 1/s", "--set",
-                            "coupling.local_time_step=1e-5 s", "--set", "element_test.rows=100", "--seed", "5"});
+  const Outcome plan =
+      run({"--dry-run", "--point", "e0_790", "--set", "point.e0_790.shear_rate=0.25 1/s", "--set",
+           "coupling.local_time_step=1e-5 s", "--set", "shear_test.rows=100", "--seed", "5"});
   EXPECT_EQ(plan.code, 0) << plan.error;
   EXPECT_CONTAINS(plan.output, "point.e0_790.shear_rate = \"0.25 1/s\" ");
   EXPECT_CONTAINS(plan.output, "seed 5\n");
@@ -147,7 +148,7 @@ TEST_F(UndrainedProgram, RefusesWhatCannotBeReached) {
   EXPECT_CONTAINS(complaint_about("point.e0_790.final_strain=0"), "it must be above 0 and at most 100");
   EXPECT_CONTAINS(complaint_about("point.e0_790.picture_strain=60 %"), "it must be between 0 and 0.5");
   EXPECT_CONTAINS(complaint_about("point.I_1e-4.inertial_number=-1e-4"), "it must be above 0");
-  EXPECT_CONTAINS(complaint_about("element_test.rows=5"), "it must be between 10 and 100000");
+  EXPECT_CONTAINS(complaint_about("shear_test.rows=5"), "it must be between 10 and 100000");
   EXPECT_CONTAINS(complaint({"--replicates", "0"}), "--replicates: \"0\" is not allowed");
 }
 
@@ -157,9 +158,9 @@ TEST_F(UndrainedProgram, RefusesUnknownNamesWithTheNearest) {
   EXPECT_CONTAINS(complaint({"--point", "e0_79"}), "it must be \"e0_790\", \"e0_771\"");
   EXPECT_CONTAINS(complaint({"--point", "e0_79"}), "did you mean \"e0_790\"?");
   EXPECT_CONTAINS(complaint_about("point.e0_790.sample=e0_71"), "did you mean \"e0_771\"?");
-  EXPECT_EQ(complaint_about("element_test.row=5"),
-            "flowslide: --set element_test.row=5: unknown key \"element_test.row\"; did you mean "
-            "\"element_test.rows\"?\n");
+  EXPECT_EQ(complaint_about("shear_test.row=5"),
+            "flowslide: --set shear_test.row=5: unknown key \"shear_test.row\"; did you mean "
+            "\"shear_test.rows\"?\n");
   const fs::path user = scratch_.write("user.toml", "[packing]\n  latice = [5, 5, 6]\n");
   EXPECT_EQ(complaint({"--config", user.string()}), "flowslide: " + user.string() +
                                                         ":2:3: unknown key \"packing.latice\"; did you mean "
@@ -170,11 +171,20 @@ TEST_F(UndrainedProgram, RefusesItsOldKeysWithTheNewNames) {
   EXPECT_EQ(complaint_about("shear.time_step=1e-5 s"),
             "flowslide: --set shear.time_step=1e-5 s: \"shear.time_step\" is called \"coupling.local_time_step\" now; "
             "rename it\n");
-  EXPECT_CONTAINS(complaint_about("shear.rows=100"), "is called \"element_test.rows\" now");
+  EXPECT_CONTAINS(complaint_about("shear.rows=100"), "is called \"shear_test.rows\" now");
   // In a scale that was not chosen, too.
   const fs::path user = scratch_.write("user.toml", "[scale.paper]\npoint.e0_771.time_step = \"5e-6 s\"\n");
   EXPECT_CONTAINS(complaint({"--config", user.string()}),
                   user.string() + ":2:14: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
+}
+
+TEST_F(UndrainedProgram, SaysThatAKeyOfSlidesHasNoUseHere) {
+  EXPECT_EQ(
+      complaint_about("stop.end_time=3 s"),
+      "flowslide: --set stop.end_time=3 s: the table \"stop\" is known, but no run of this case uses it: it belongs "
+      "to slides, which are runs with a scheme\n");
+  EXPECT_CONTAINS(complaint_about("coupling.time_step=1e-4 s"), "the key \"coupling.time_step\" is known, but no run");
+  EXPECT_CONTAINS(complaint({"--allow-unstable"}), "it belongs to slides, which are runs with a scheme");
 }
 
 TEST_F(UndrainedProgram, HasNoClosedFormSamples) {
@@ -188,10 +198,15 @@ TEST_F(UndrainedProgram, NamesThePlaceOfABadValue) {
 }
 
 /// The curve at I = 2e-2 with a sample of 150 grains of any void ratio, to 1 % strain.
-const Options small{"--set", "packing.lattice=[5, 5, 6]",          "--set", "preparation.compaction_rate=2 1/s",
-                    "--set", "preparation.stress_tolerance=5e-3",  "--set", "sample.isotropic.tolerance=0.3",
-                    "--set", "point.I_2e-2.final_strain=1 %",      "--set", "element_test.rows=10",
-                    "--set", "point.I_2e-2.picture_strain=0.5 %",  "--point", "I_2e-2", "--output", "out"};
+const Options small{"--set",    "packing.lattice=[5, 5, 6]",
+                    "--set",    "preparation.compaction_rate=2 1/s",
+                    "--set",    "preparation.stress_tolerance=5e-3",
+                    "--set",    "sample.isotropic.tolerance=0.3",
+                    "--set",    "point.I_2e-2.final_strain=1 %",
+                    "--set",    "shear_test.rows=10",
+                    "--set",    "point.I_2e-2.picture_strain=0.5 %",
+                    "--point",  "I_2e-2",
+                    "--output", "out"};
 
 TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const Outcome first = run(small);
@@ -216,10 +231,10 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   EXPECT_EQ(content_of("out/I_2e-2.h5"), bytes);
 
   Options other = small;
-  other.insert(other.end(), {"--set", "element_test.rows=11"});
+  other.insert(other.end(), {"--set", "shear_test.rows=11"});
   const Outcome refused = run(other);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_CONTAINS(refused.error, "is the result of another run (element_test.rows = 10 there, 11 now)");
+  EXPECT_CONTAINS(refused.error, "is the result of another run (shear_test.rows = 10 there, 11 now)");
 
   // These are not the settings of the paper: no claim about Fig. 4 is evaluated, of a point that was run or not.
   Options check = small;

@@ -53,7 +53,7 @@ TEST(Comparison, TakesPairsOnOneSample) {
 TEST(Comparison, ComparesAmplitudes) {
   std::map<std::string, double> metrics;
   compare_schemes({{"RI_3kPa", {slide(1.0, 9.0)}},
-                   {"RI_mine", {slide(1.44, 9.0, 0, 4.0)}},  // the amplitude is a parameter, whatever the name
+                   {"RI_mine", {slide(1.44, 9.0, 0, 4.0)}},  // the amplitude comes from the parameter, not the name
                    {"RI_10kPa", {slide(4.0, 9.0, 0, 10.0)}},
                    {"RD_3kPa", {slide(1.0, 1.5), slide(1.0, 1.6), slide(1.0, 1.9)}},
                    {"RD_4kPa", {slide(1.0, 1.5, 0, 4.0), slide(1.0, 1.8, 0, 4.0), slide(1.0, 2.1, 0, 4.0)}}},

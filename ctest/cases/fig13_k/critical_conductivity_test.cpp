@@ -10,7 +10,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// Samples that have these velocities after the pulse and at most; those of none have stopped.
+/// Replicates with these velocities after the pulse, which are also their largest, m/s. 0: sliding has stopped.
 Ensemble samples(double k, const std::vector<double>& velocities) {
   Ensemble all(velocities.size());
   for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -28,7 +28,7 @@ TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
   const Ensembles slides{{"RI_0", samples(0, {2.0, 1.0})},
                          {"RI_1e-5", samples(1e-5, {1.9, 0.95})},
                          {"RI_2e-5", samples(2e-5, {2.1, 0.4})},
-                         {"RI_mine", samples(4e-5, {0.5, 0.2})},  // k is a parameter, whatever the name
+                         {"RI_mine", samples(4e-5, {0.5, 0.2})},  // k is read from the parameter, not from the name
                          {"RI_1e-4", samples(1e-4, {0.0, 0.0})}};
   const auto sweep = sweep_of(slides, "RI_", "hydraulic_conductivity");
   EXPECT_EQ(critical_conductivity(sweep, slides.at("RI_0")[0]).lower, 2e-5);

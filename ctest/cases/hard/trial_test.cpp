@@ -11,22 +11,22 @@
 namespace flowslide {
 namespace {
 
-Outcome outcome(const Yardstick& yardstick, double measured) {
-  return attempt("a", yardstick, [=] { return measured; }).outcome;
+Outcome outcome(const ReferenceValue& reference, double measured) {
+  return attempt("a", reference, [=] { return measured; }).outcome;
 }
 
 Outcome outcome_of_error(const std::string& refusal, const std::string& message) {
   return attempt("a", {0.0, 0.0, 0.0, 0.0, refusal}, [&]() -> double { throw NumericalFailure(message); }).outcome;
 }
 
-TEST(Attempt, JudgesByTheYardstick) {
-  const Yardstick yardstick = relative(-2.0, 0.1, 0.5);
-  EXPECT_EQ(outcome(yardstick, -2.19), Outcome::accurate);
-  EXPECT_EQ(outcome(yardstick, -1.81), Outcome::accurate);
-  EXPECT_EQ(outcome(yardstick, -1.79), Outcome::stable);
-  EXPECT_EQ(outcome(yardstick, -2.99), Outcome::stable);
-  EXPECT_EQ(outcome(yardstick, -3.01), Outcome::silently_wrong);
-  EXPECT_EQ(outcome(yardstick, 2.0), Outcome::silently_wrong);
+TEST(Attempt, JudgesByTheReferenceValue) {
+  const ReferenceValue reference = relative(-2.0, 0.1, 0.5);
+  EXPECT_EQ(outcome(reference, -2.19), Outcome::accurate);
+  EXPECT_EQ(outcome(reference, -1.81), Outcome::accurate);
+  EXPECT_EQ(outcome(reference, -1.79), Outcome::stable);
+  EXPECT_EQ(outcome(reference, -2.99), Outcome::stable);
+  EXPECT_EQ(outcome(reference, -3.01), Outcome::silently_wrong);
+  EXPECT_EQ(outcome(reference, 2.0), Outcome::silently_wrong);
 }
 
 TEST(Attempt, TakesWhatIsNoNumberForSilentlyWrong) {

@@ -23,7 +23,7 @@ TEST(ErrorOf, IsTheMeanDifferenceOnTheSameSeeds) {
 TEST(ErrorOf, LeavesOutSeedsThatOneLacksButNotFromTheSpread) {
   const QuantityError error = error_of(pulses({1.2}), pulses({1.0, 2.0, 3.0}), "largest_velocity");
   EXPECT_NEAR(error.error, 0.1, rounding);
-  EXPECT_TRUE(std::isnan(error.standard_error));  // one difference has none
+  EXPECT_TRUE(std::isnan(error.standard_error));  // one difference has no standard error
   EXPECT_NEAR(error.spread, 1.0, rounding);
 }
 
@@ -62,7 +62,7 @@ TEST(ErrorsOf, GoesByCostAndKeepsTheWorstQuantity) {
 
 TEST(ErrorsOf, LeavesOutAnAxisWhoseReferenceHasOneSeed) {
   Ensembles few = runs();
-  few["pulse_fine"] = pulses({2.0}, 100.0);  // without a spread nothing can be told from noise
+  few["pulse_fine"] = pulses({2.0}, 100.0);  // one replicate has no spread
   const std::vector<Axis> axes{step};
   EXPECT_TRUE(errors_of(axes, few).empty());
 }

@@ -5,7 +5,7 @@
 
 namespace flowslide {
 
-/// Pulses that end at these velocities, each half as far, at this cost on 1000 grains.
+/// Replicates of a pulse on 1000 grains with these largest velocities (m/s), each at this cost (s, DEM steps).
 inline Ensemble pulses(const std::vector<double>& velocities, double seconds = 1.0, double steps = 1e5) {
   Ensemble all(velocities.size());
   for (std::size_t i = 0; i < velocities.size(); ++i) {

@@ -30,7 +30,7 @@ double metric(Scene scene, const Series& series, const std::string& name) {
 }
 
 /// Rows at strains k/1000 whose shear stress is a parabola with its top of 5000 Pa at 0.43 %, sigma falling evenly.
-Series element_test() {
+Series shear_test() {
   Series series = shear_test_series();
   for (int k = 0; k <= 50; ++k) {
     std::array<double, 12> row{};
@@ -43,13 +43,13 @@ Series element_test() {
 }
 
 TEST(SceneMetrics, FindThePeakBetweenRows) {
-  const Series series = element_test();
+  const Series series = shear_test();
   EXPECT_NEAR(metric(Scene::element, series, "peak_shear_stress"), 5000.0, 1e-6);
   EXPECT_NEAR(metric(Scene::element, series, "strain_at_peak"), 0.0043, rounding);
 }
 
 TEST(SceneMetrics, FindWhereASampleIsLiquefied) {
-  Series series = element_test();
+  Series series = shear_test();
   EXPECT_NEAR(metric(Scene::element, series, "strain_at_liquefaction"), 0.0225, rounding);
   for (double& normal : series.columns[2].values) normal = 28000.0;
   EXPECT_TRUE(std::isnan(metric(Scene::element, series, "strain_at_liquefaction")));

@@ -25,8 +25,8 @@ TEST(Boundaries, AdvanceMovesPlanesAndCarriesGrainsAlongPeriodicAxesOnly) {
   cell.periodic = {true, false, false};
   Assembly cloud = clustered_cloud(2, cell, {.grains = 20});
   auto bodies = bodies_of(cloud);
-  const Share share{3, 15};
-  Boundaries boundaries(cell, settings(), share);
+  const GrainRange range{3, 15};
+  Boundaries boundaries(cell, settings(), range);
   EXPECT_FALSE(boundaries.compresses());
   boundaries.move({{0, 0, 0.1}, {0, 0, -0.2}, 2.0, -3.0});
   EXPECT_TRUE(boundaries.compresses());
@@ -41,7 +41,7 @@ TEST(Boundaries, AdvanceMovesPlanesAndCarriesGrainsAlongPeriodicAxesOnly) {
   EXPECT_NEAR(boundaries.cell().upper.z(), 0.03 - 0.2 * step, rounding);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const double carried = 0.03 + (1 - 2.0 * step) * (cloud.position[i].x() - 0.03);
-    EXPECT_NEAR(bodies[i].position[0], share.owns(i) ? carried : cloud.position[i].x(), rounding);
+    EXPECT_NEAR(bodies[i].position[0], range.owns(i) ? carried : cloud.position[i].x(), rounding);
     EXPECT_EQ(bodies[i].position[1], cloud.position[i].y());
     EXPECT_EQ(bodies[i].position[2], cloud.position[i].z());
     EXPECT_EQ(Vector3::Map(bodies[i].velocity), cloud.velocity[i]);
@@ -71,11 +71,11 @@ void expect_law_of_planes(double tolerance) {
   const auto bodies = bodies_of(cloud);
   std::vector<Load<Real>> loads(bodies.size());
   Vector3 upper = Vector3::Zero(), expected_upper = Vector3::Zero();
-  for (const Share share : {Share{0, 5}, Share{5, 12}}) {
-    Boundaries boundaries(cloud.cell, settings(), share);
+  for (const GrainRange range : {GrainRange{0, 5}, GrainRange{5, 12}}) {
+    Boundaries boundaries(cloud.cell, settings(), range);
     boundaries.move({{0.3, 0.2, 0.1}, {0.3, 0.2, -0.2}, 2.0, -3.0});
     boundaries.find_near(bodies, cloud.role, reach_of_lists);
-    boundaries.push(share, bodies, cloud.role, loads);
+    boundaries.push(range, bodies, cloud.role, loads);
     boundaries.add_upper_plane(bodies, upper);
   }
   PlaneVelocities planes;

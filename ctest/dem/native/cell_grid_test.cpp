@@ -13,9 +13,10 @@ namespace {
 
 /// Number of pairs, all checked.
 template <typename Real>
-std::size_t compare_with_all_pairs(const Assembly& cloud, const std::vector<double>& allowance, const Share& share) {
-  const auto found = CellGrid(cloud.cell, bodies_of<Real>(cloud), allowance).pairs(share);
-  const auto expected = every_near_pair(cloud, allowance, share);
+std::size_t compare_with_all_pairs(const Assembly& cloud, const std::vector<double>& allowance,
+                                   const GrainRange& range) {
+  const auto found = CellGrid(cloud.cell, bodies_of<Real>(cloud), allowance).pairs(range);
+  const auto expected = every_near_pair(cloud, allowance, range);
   EXPECT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < std::min(found.size(), expected.size()); ++k) {
     EXPECT_EQ(found[k].first, expected[k].first);

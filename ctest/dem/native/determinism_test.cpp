@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The same bits whatever the engine does on its own: threads, pair lists, instruction sets, partitions of runs.
+// Results have the same bits for any number of threads, pair list, instruction set and partition into runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double step = 2e-6;
 
-/// A state, what is done to it, and for how long.
+/// An initial state, the motion of its boundaries and the number of steps.
 struct Scene {
   const char* name;
   Assembly start;
@@ -142,7 +142,7 @@ TYPED_TEST(DeterminismOf, WhatIsLoadedAgainGoesOnWithTheSameBitsOnAnyNumberOfThr
       }
       expect_same_bits(again, team, scene.name);
     }
-    // The engine that was saved goes on with them as well.
+    // The engine that was saved continues with the same bits, too.
     first->run(100);
     expect_same_bits(*first, again, std::string(scene.name) + ", not loaded again");
   }

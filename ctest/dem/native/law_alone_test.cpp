@@ -78,7 +78,7 @@ Impact impact(const Material& m, double speed, double time_step) {
     if (step > 1 && overlap < 0.0) break;
     before = overlap;
   }
-  engine.run(10);  // the dashpot does not pull after parting
+  engine.run(10);  // the dashpot does not pull after separation
   result.after = engine.save();
   return result;
 }

@@ -48,7 +48,7 @@ TYPED_TEST(MotionPassOf, IsVelocityVerletInDouble) {
       EXPECT_EQ(moved.radius, body.radius);
       EXPECT_EQ(moved.mass, body.mass);
       EXPECT_EQ(moved.inertia, body.inertia);
-      // A beginning leaves no load behind, an end leaves all of it.
+      // A part with a beginning clears the loads; an end alone keeps them.
       const double left = part == MotionPart::end ? 1.0 : 0.0;
       EXPECT_EQ(vector_of(moving.loads[i].force), left * vector_of(before.loads[i].force));
       EXPECT_EQ(vector_of(moving.loads[i].torque), left * vector_of(before.loads[i].torque));

@@ -8,7 +8,7 @@
 
 namespace flowslide::native {
 
-/// Grains with loads on them, one in three glued, of which a share moves.
+/// Grains with loads on them, one in three glued, of which a range moves.
 template <typename Real>
 struct MovingBodies {
   explicit MovingBodies(std::size_t count = 41, bool publishes = true) : loads(count), start(count) {

@@ -14,10 +14,10 @@ namespace {
 
 template <typename Real>
 void expect_all_pairs(const Assembly& cloud, PairList<Real>& list, const std::vector<double>& allowance,
-                      const Share& share) {
+                      const GrainRange& range) {
   const PairView<Real> view = list.view(cloud.cell);
   std::size_t p = 0;
-  for (const NearPair& pair : every_near_pair(cloud, allowance, share)) {
+  for (const NearPair& pair : every_near_pair(cloud, allowance, range)) {
     if (in_one_layer(cloud, pair.first, pair.second)) continue;
     ASSERT_LT(p, list.pairs());
     EXPECT_EQ(view.first[p], pair.first);
@@ -72,7 +72,7 @@ TEST(PairList, LosesNoPairAndNoHistoryOfTenThousandRandomClouds) {
   std::size_t contacts = 0, open = 0;
   for (std::uint64_t seed = 0; seed < 10000; ++seed) {
     const Assembly cloud = fuzzed_cloud(seed);
-    const Share all{0, cloud.size()};
+    const GrainRange all{0, cloud.size()};
     const auto bodies = bodies_of(cloud);
     Dice dice(seed);
     const auto allowance = some_allowances(cloud.size(), dice), other = some_allowances(cloud.size(), dice);
@@ -110,11 +110,11 @@ TEST(PairList, SharesHoldWhatTouchesTheirGrainsAndEachContactIsSavedOnce) {
     const auto allowance = some_allowances(cloud.size(), dice);
     const std::size_t cut = dice.below(cloud.size() + 1);
     std::vector<ContactHistory> saved;
-    for (const Share share : {Share{0, cut}, Share{cut, cloud.size()}}) {
+    for (const GrainRange range : {GrainRange{0, cut}, GrainRange{cut, cloud.size()}}) {
       const auto bodies = bodies_of<float>(cloud);
-      PairList<float> list(share);
+      PairList<float> list(range);
       make(list, cloud, bodies, allowance);
-      expect_all_pairs(cloud, list, allowance, share);
+      expect_all_pairs(cloud, list, allowance, range);
       list.set_histories(cloud.contacts);
       list.add_histories(bodies, saved);
     }

@@ -40,14 +40,14 @@ inline std::vector<double> some_allowances(std::size_t grains, Dice& dice) {
   return allowance;
 }
 
-/// All pairs of a share with all their images, by looking at every one.
+/// All pairs of a range with all their images, by looking at every one.
 inline std::vector<NearPair> every_near_pair(const Assembly& a, const std::vector<double>& allowance,
-                                             const Share& share) {
+                                             const GrainRange& range) {
   std::vector<NearPair> found;
   const auto reach = [&](int axis) { return a.cell.periodic[axis] ? 1 : 0; };
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t j = i + 1; j < a.size(); ++j) {
-      if (!share.owns(i) && !share.owns(j)) continue;
+      if (!range.owns(i) && !range.owns(j)) continue;
       for (int x = -reach(0); x <= reach(0); ++x)
         for (int y = -reach(1); y <= reach(1); ++y)
           for (int z = -reach(2); z <= reach(2); ++z) {

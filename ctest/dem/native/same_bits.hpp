@@ -56,7 +56,7 @@ class Fingerprint {
   std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
-/// Of everything that an engine goes on from, and of its stress.
+/// Expects equal bits of the whole state of two engines, and of their stress.
 inline std::uint64_t fingerprint(const Engine& engine) {
   const Assembly a = engine.save();
   const CellStress stress = engine.cell_stress();

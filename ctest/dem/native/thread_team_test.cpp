@@ -61,7 +61,7 @@ TEST(ThreadTeam, ABarrierWaitsForAll) {
     ThreadTeam team(size);
     const auto n = static_cast<std::size_t>(size);
     const int steps = size <= 2 ? 50000 : 3000;
-    // As the engine does it: two arrays by turns, and one barrier between writing and reading.
+    // Like the engine: two buffers that alternate, with one barrier between writing and reading.
     std::array<std::vector<long>, 2> published{std::vector<long>(n), std::vector<long>(n)};
     std::vector<int> wrong(n, 0);
     team.run([&](int number) {
@@ -81,7 +81,7 @@ TEST(ThreadTeam, WakesAfterAPause) {
   ThreadTeam team(3);
   std::atomic<int> calls{0};
   for (int run = 0; run < 5; ++run) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a thread looks for a task
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // longer than a thread spins for a task
     team.run([&](int) { ++calls; });
   }
   EXPECT_EQ(calls, 15);
@@ -93,7 +93,7 @@ TEST(ThreadTeam, WaitsForTheSlowestAtABarrier) {
   std::array<bool, 3> seen{};
   team.run([&](int number) {
     if (number == 2) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(30));  // as if the machine had other work
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));  // simulates other load on the machine
       late = true;
     }
     team.barrier();

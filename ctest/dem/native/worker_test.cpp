@@ -23,7 +23,7 @@ class Team {
     const std::size_t n = assembly_.size();
     grains_.role = assembly_.role;
     grains_.bodies = bodies_of(assembly_);
-    grains_.publish(cuts.size() + 1);
+    grains_.fill_buffers(cuts.size() + 1);
     for (std::size_t i = 0; i < n; ++i) {
       const bool moves = grains_.role[i] == Role::mobile;
       grains_.kick.push_back(moves ? 0.5 * pass_step / grains_.bodies[i].mass : 0.0);
@@ -38,14 +38,14 @@ class Team {
     grains_.smallest_diameter = 2.0 * assembly_.smallest_radius();
     grains_.largest_diameter = 2.0 * *std::max_element(assembly_.radius.begin(), assembly_.radius.end());
     std::size_t begin = 0;
-    const auto hire = [&](std::size_t end) {
-      const Share share{begin, end};
-      workers_.emplace_back(share, grains_, Boundaries(assembly_.cell, {Material{}, pass_step, drag}, share), 1e-5,
+    const auto add_worker = [&](std::size_t end) {
+      const GrainRange range{begin, end};
+      workers_.emplace_back(range, grains_, Boundaries(assembly_.cell, {Material{}, pass_step, drag}, range), 1e-5,
                             passes<Real>(instruction_sets().back()));
       begin = end;
     };
-    for (const std::size_t cut : cuts) hire(cut);
-    hire(n);
+    for (const std::size_t cut : cuts) add_worker(cut);
+    add_worker(n);
     for (Worker<Real>& worker : workers_) worker.rebuild(0);
   }
 
@@ -57,18 +57,18 @@ class Team {
             grains_.role[i] == Role::top_layer ? motion.top_velocity : motion.bottom_velocity;
   }
   void run(int steps) {
-    int turn = 1;
-    each([&](Worker<Real>& worker) { worker.begin(true, turn); });
-    for (int left = steps; left > 1; --left, turn = 1 - turn)
+    int buffer = 1;
+    each([&](Worker<Real>& worker) { worker.begin(true, buffer); });
+    for (int left = steps; left > 1; --left, buffer = 1 - buffer)
       each([&](Worker<Real>& worker) {
-        worker.meet(workers_, turn);
-        worker.evaluate_and_begin(turn);
+        worker.update_list(workers_, buffer);
+        worker.evaluate_and_begin(buffer);
       });
     each([&](Worker<Real>& worker) {
-      worker.meet(workers_, turn);
-      worker.evaluate(turn);
+      worker.update_list(workers_, buffer);
+      worker.evaluate(buffer);
     });
-    grains_.end_run(turn);
+    grains_.end_run(buffer);
   }
   /// At the end of the step.
   std::vector<Body<double>> bodies() const {
@@ -90,7 +90,7 @@ class Team {
   }
   const Load<Real>& load_of(std::size_t grain) const {
     for (const Worker<Real>& worker : workers_)
-      if (worker.share().owns(grain)) return worker.loads()[grain];
+      if (worker.range().owns(grain)) return worker.loads()[grain];
     throw std::out_of_range("no worker owns this grain");
   }
 
@@ -167,10 +167,10 @@ TYPED_TEST(WorkerOf, EachHoldsThePairsOfItsGrains) {
   for (Worker<TypeParam>& worker : team.workers()) {
     const PairView<TypeParam> view = worker.list().view(team.start().cell);
     for (std::size_t p = 0; p < worker.list().pairs(); ++p)
-      EXPECT_TRUE(worker.share().owns(view.first[p]) || worker.share().owns(view.second[p]));
+      EXPECT_TRUE(worker.range().owns(view.first[p]) || worker.range().owns(view.second[p]));
     sum += worker.list().pairs();
   }
-  EXPECT_GT(sum, all);  // pairs of two shares are in both lists
+  EXPECT_GT(sum, all);  // pairs of two ranges are in both lists
   EXPECT_LT(sum, 2 * all);
 }
 

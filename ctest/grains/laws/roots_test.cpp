@@ -12,7 +12,7 @@
 namespace flowslide::laws {
 namespace {
 
-/// Relative distance from what is exact, in units of the spacing of numbers above 1.
+/// Relative error, in units of the spacing of numbers above 1.
 template <typename Real>
 double units_off(Real found, long double exact) {
   return static_cast<double>(std::fabs(static_cast<long double>(found) / exact - 1.0L)) /

@@ -79,9 +79,10 @@ inline void measure(double squared, double touching, Real& inverse_distance, Rea
   }
 }
 
-/// Fills a tile with geometry and motion of the pairs from index `start`. `Normal` is the normal part of the law.
+/// Fills a tile with geometry and motion of the pairs from index `start`. `Normal` is the normal part of the law. A
+/// function of its own has more registers than the same loops within the loop over tiles: 2 % of a step.
 template <typename Real, typename Normal, bool Spins>
-inline void gather(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
+[[gnu::noinline]] void gather(const PairView<Real>& pairs, std::size_t start, const Body<Real>* bodies, Tile<Real>& t) {
   t.effective_radius = pairs.effective_radius + start;
   t.root_effective_mass = pairs.root_effective_mass + start;
   t.root_rolling_inertia = pairs.root_rolling_inertia + start;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dem/native/passes.hpp"
-#include "dem/native/share.hpp"
+#include "dem/native/grain_range.hpp"
 #include "grains/assembly.hpp"
 
 namespace flowslide::native {
@@ -13,10 +13,10 @@ namespace flowslide::native {
 /// bounded step by step, and measured only when the bound is used up. Every worker checks its own grains and receives
 /// the results of the others, so that all workers decide the same.
 template <typename Real>
-class StrayWatch {
+class DisplacementCheck {
  public:
-  /// Starts at the present positions of the grains of the share. `allowance` (m), shape (n), is that of all grains.
-  void start(const Share& share, const std::vector<Body<double>>& bodies, const std::vector<double>& allowance);
+  /// Starts at the present positions of the grains of the range. `allowance` (m), shape (n), is that of all grains.
+  void start(const GrainRange& range, const std::vector<Body<double>>& bodies, const std::vector<double>& allowance);
   /// Adds the displacement of the mean flow in a step of `time_step` (s).
   void follow(const MeanFlow& flow, double time_step) { drift_.add(flow, time_step); }
   /// Accounts for a fold of a grain by `way` (m) along an axis.
@@ -28,20 +28,20 @@ class StrayWatch {
   }
   /// Whether the deviations must be measured after this step.
   bool measures() const { return measures_; }
-  /// Smallest remaining allowance of the grains of the share, m.
+  /// Smallest remaining allowance of the grains of the range, m.
   double measure(SlackPass<Real> slack, const MovingGrains<Real>& grains) const {
     return slack(drift_, start_.data(), grains);
   }
-  /// Accounts for one step. Returns whether the list must be built anew. `pace` (m) is an upper bound of the growth of
-  /// a deviation in this step. `measured` (m) is the smallest remaining allowance over all shares, used only if
+  /// Accounts for one step. Returns whether the list must be built anew. `largest_growth` (m) bounds the growth of a
+  /// deviation in this step. `measured` (m) is the smallest remaining allowance over all ranges, used only if
   /// `measures()` was true. `reach` (m) is the largest distance of two centres in the list. `compressed` is true if the
   /// periods moved grains, which the measurement does not include.
-  bool spend(double pace, double measured, double reach, bool compressed);
+  bool advance(double largest_growth, double measured, double reach, bool compressed);
   /// Number of steps since the start.
   std::int64_t age() const { return age_; }
 
  private:
-  std::vector<Start> start_;  ///< of all grains; only those of the share are used
+  std::vector<Start> start_;  ///< of all grains; only those of the range are used
   MeanDrift drift_;
   double slack_ = 0.0;  ///< lower bound of the smallest remaining allowance, m
   bool compressed_ = false, measures_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "workshop.hpp"
+#include "scene_context.hpp"
 
 #include "configuration/error.hpp"
 #include "support/messages.hpp"
@@ -7,18 +7,18 @@
 namespace flowslide {
 namespace {
 
-Suite read(const std::vector<Override>& overrides = {}) {
-  return Suite::read(Configuration({FLOWSLIDE_CASE_FOLDER "/case.toml", "quick", {}, overrides}));
+SceneSettings read(const std::vector<Override>& overrides = {}) {
+  return SceneSettings::read(Configuration({FLOWSLIDE_CASE_FOLDER "/case.toml", "quick", {}, overrides}));
 }
 
-TEST(Suite, TakesEachSampleByItsName) {
-  const Suite suite =
+TEST(SceneSettings, TakesEachSampleByItsName) {
+  const SceneSettings settings =
       read({{"sample.loose.preparation_friction", "0.51", ""}, {"sample.dense.preparation_friction", "0.11", ""}});
-  EXPECT_EQ(suite.loose.preparation_friction, 0.51);
-  EXPECT_EQ(suite.dense.preparation_friction, 0.11);
+  EXPECT_EQ(settings.loose.preparation_friction, 0.51);
+  EXPECT_EQ(settings.dense.preparation_friction, 0.11);
 }
 
-TEST(Suite, RefusesASampleOfAnotherName) {
+TEST(SceneSettings, RefusesASampleOfAnotherName) {
   std::vector<Override> overrides;
   for (const char* key : {"void_ratio=0.7", "tolerance=0.1", "most_trials=1", "preparation_friction=0.1",
                           "drag=\"0.03 kg/s\"", "isotropic=false"}) {

@@ -5,7 +5,7 @@
 namespace flowslide::native {
 
 /// The grains `begin` to `end` - 1, which one thread owns. The thread moves them and sums the forces on them.
-struct Share {
+struct GrainRange {
   std::size_t begin = 0, end = 0;
   bool owns(std::size_t grain) const { return grain >= begin && grain < end; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "run/so_far.hpp"
+#include "run/preliminary_results.hpp"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::optional<Checkpoint> last_checkpoint(const OutputFolder& output, const std:
 std::string problem_of(const FoundResult& found, const std::optional<Checkpoint>& last, const RunIdentity& identity) {
   if (found.standing == Standing::damaged) return found.problem;
   std::string difference = found.problem;
-  if (difference.empty() && last) difference = identity.difference_from(RunIdentity(last->so_far));
+  if (difference.empty() && last) difference = identity.difference_from(RunIdentity(last->partial_result));
   return difference.empty() ? "" : "of another run: " + difference;
 }
 
@@ -54,20 +54,20 @@ bool copy_point(const OutputFolder& output, const OutputFolder& copy, const std:
   }
   progress += fmt::format("{}: {}\n", point, last ? "so far at " + place_of(*last) : "nothing yet");
   if (!last) return false;
-  Table table = table_of(last->so_far);
+  Table table = table_of(last->partial_result);
   write_table(copy.file(point + ".dat"), table);
   if (last->slide && !last->slide->complete_profiles.columns.empty()) {
     table.series = last->slide->complete_profiles;
     write_table(copy.file(point + "_profiles.dat"), table);
   }
-  write_result(copy.file(point + ".h5"), last->so_far);
+  write_result(copy.file(point + ".h5"), last->partial_result);
   return true;
 }
 
 }  // namespace
 
-std::string copy_so_far(const OutputFolder& output, const OutputFolder& copy,
-                        const std::map<std::string, RunIdentity>& points) {
+std::string copy_preliminary_results(const OutputFolder& output, const OutputFolder& copy,
+                                     const std::map<std::string, RunIdentity>& points) {
   std::string progress;
   bool any = false;
   for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, progress) || any;

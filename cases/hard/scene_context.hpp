@@ -15,8 +15,8 @@
 
 namespace flowslide {
 
-/// The settings of the suite, from its case.toml.
-struct Suite {
+/// The settings of all scenes, from case.toml.
+struct SceneSettings {
   std::optional<Configuration> configuration;  ///< the whole configuration, for scenes that read settings like a user
   std::vector<InputTable> inputs;              ///< tables read from files that the configuration names
   std::string engine;
@@ -31,15 +31,15 @@ struct Suite {
   std::array<int, 3> large_lattice{};  ///< grains along x, y, z in the scene with many grains; 0: no such scene
 
   /// Reads the whole configuration. Throws ConfigurationError.
-  static Suite read(const Configuration& configuration);
+  static SceneSettings read(const Configuration& configuration);
 };
 
 /// Provides samples, engines and settings of slides for the scenes.
-class Workshop {
+class SceneContext {
  public:
-  Workshop(const Suite& suite, const PointRun& run) : suite_(suite), run_(run) {}
+  SceneContext(const SceneSettings& settings, const PointRun& run) : settings_(settings), run_(run) {}
 
-  const Suite& suite() const { return suite_; }
+  const SceneSettings& settings() const { return settings_; }
   /// The recipe of the sample with number `sample` (from 0): `recipe` with its seed shifted.
   static SampleRecipe numbered(SampleRecipe recipe, std::int64_t sample);
   /// The sample of a recipe, from the cache or by a preparation. If a packing collapses, the next seed is tried.
@@ -47,13 +47,15 @@ class Workshop {
   std::unique_ptr<Engine> engine() const;
   /// A checkpoint opportunity: throws if the run is to stop (see PointCheckpoints). Scenes write no checkpoints; a
   /// stopped scene starts from its beginning.
-  void border() const { run_.checkpoints.border_of_preparation([] { return false; }); }
+  void stop_if_due() const {
+    run_.checkpoints.poll_in_preparation([] { return false; });
+  }
   /// The settings that a user gets on this slope with these lines of TOML in the tables [coupling] and [loading] of a
   /// case. Throws ConfigurationError as for a user.
   SlideSettings slide(const std::string& coupling, const std::string& loading, const SlopeProperties& slope) const;
 
  private:
-  const Suite& suite_;
+  const SceneSettings& settings_;
   const PointRun& run_;
 };
 

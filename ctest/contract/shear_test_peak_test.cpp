@@ -33,7 +33,7 @@ struct Peak {
 };
 
 Peak peak_of(const Assembly& assembly, const std::string& name) {
-  const auto engine = make_engine(name, testing::TempDir() + "element_test_peak.log");
+  const auto engine = make_engine(name, testing::TempDir() + "shear_test_peak.log");
   DemSample sample(*engine, assembly, {Material{}, step, 0.0});
   sample.start_linear_velocity_field(rate);
   Peak peak;
