@@ -9,7 +9,7 @@ target_compile_options(flowslide_options INTERFACE "$<BUILD_INTERFACE:${warnings
 target_compile_options(flowslide_options INTERFACE -ffp-contract=off)
 target_compile_features(flowslide_options INTERFACE cxx_std_20)
 target_include_directories(flowslide_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/core>
-                                                       $<INSTALL_INTERFACE:include/flowslide>)
+                                                       $<INSTALL_INTERFACE:include>)
 if(FLOWSLIDE_WERROR)
   target_compile_options(flowslide_options INTERFACE -Werror)
 endif()
@@ -23,10 +23,13 @@ endif()
 set(flowslide_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <string> <vector> <fmt/format.h>
     <Eigen/Geometry>)
 
-# flowslide_library(<folder of core> [DEPENDS <targets>...]): every .cpp of that folder (not of its sub-folders).
+# flowslide_library(<folder of core> [DEPENDS <targets>...] [EXCEPT <files>...]): every other .cpp of that folder (not of
+# its sub-folders).
 function(flowslide_library name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;EXCEPT" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/${name}/*.cpp)
+  list(TRANSFORM ARG_EXCEPT PREPEND ${PROJECT_SOURCE_DIR}/core/${name}/)
+  list(REMOVE_ITEM sources ${ARG_EXCEPT})
   string(REPLACE "/" "_" target flowslide_${name})
   if(sources)
     add_library(${target} STATIC ${sources})
@@ -35,4 +38,6 @@ function(flowslide_library name)
     add_library(${target} INTERFACE)
     target_link_libraries(${target} INTERFACE flowslide_options ${ARG_DEPENDS})
   endif()
+  set_property(GLOBAL APPEND PROPERTY flowslide_libraries ${target})
+  set_property(GLOBAL APPEND PROPERTY flowslide_folders ${name})
 endfunction()

@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# cmake --install: the core libraries with their headers and a CMake package (see README, "Use as a library").
+# cmake --install: the core libraries with their headers and a CMake package (see docs/library.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(installed flowslide_options)
-foreach(folder slope grains configuration process claims dem/liggghts dem/native dem sample coupling record
-               sample_library experiment input run program)
-  string(REPLACE "/" "_" name ${folder})
-  set_target_properties(flowslide_${name} PROPERTIES EXPORT_NAME ${name})
-  list(APPEND installed flowslide_${name})
+get_property(folders GLOBAL PROPERTY flowslide_folders)
+get_property(installed GLOBAL PROPERTY flowslide_libraries)
+foreach(library ${installed} flowslide_options)
+  string(REGEX REPLACE "^flowslide_" "" name ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+  list(APPEND FLOWSLIDE_COMPONENTS ${name})
 endforeach()
-set_target_properties(flowslide_options PROPERTIES EXPORT_NAME options)
-install(TARGETS ${installed} EXPORT flowslideTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY core/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flowslide FILES_MATCHING PATTERN "*.hpp"
-        PATTERN isa EXCLUDE)
+list(REMOVE_ITEM FLOWSLIDE_COMPONENTS options)
+install(TARGETS ${installed} flowslide_options EXPORT flowslideTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+# The rules act in their order: the first makes the headers that the second installs.
+set(headers ${PROJECT_BINARY_DIR}/installed_headers)
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -D \"source=${PROJECT_SOURCE_DIR}/core\"
+  -D \"output=${headers}\" -D \"folders=${folders}\" -P \"${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake\"
+  COMMAND_ERROR_IS_FATAL ANY)")
+install(DIRECTORY ${headers}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flowslide)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/flowslide)
 install(EXPORT flowslideTargets NAMESPACE flowslide:: DESTINATION ${package})
@@ -22,5 +27,5 @@ configure_package_config_file(cmake/flowslideConfig.cmake.in ${PROJECT_BINARY_DI
 # Before 1.0 any minor version may change the headers.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/flowslideConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/flowslideConfig.cmake ${PROJECT_BINARY_DIR}/flowslideConfigVersion.cmake
-              cmake/FindLIGGGHTS.cmake DESTINATION ${package})
+              cmake/FindLIGGGHTS.cmake cmake/FindSerialHDF5.cmake DESTINATION ${package})
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

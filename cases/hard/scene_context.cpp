@@ -7,6 +7,7 @@
 #include "grains/packing.hpp"
 #include "input/read_coupling.hpp"
 #include "input/read_samples.hpp"
+#include "process/mpi_session.hpp"
 #include "sample_library/sample_cache.hpp"
 
 namespace flowslide {
@@ -82,7 +83,7 @@ PreparedSample SceneContext::prepared(const SampleRecipe& recipe) const {
 
 std::unique_ptr<Engine> SceneContext::engine() const {
   return make_engine(settings_.engine, run_.output.file(run_.provenance.point + "." + settings_.engine + ".log"),
-                     run_.threads);
+                     run_.threads, all_ranks());
 }
 
 SlideSettings SceneContext::slide(const std::string& coupling, const std::string& loading,

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "process/mpi_session.hpp"
 
+#include <mpi.h>
+
 #include <cstdlib>
+#include <thread>
 
 namespace flowslide {
 namespace {
+
+constexpr std::chrono::milliseconds poll_interval{5};
 
 class MpiSession {
  public:
@@ -49,8 +54,6 @@ bool may_have_ranks() {
 
 void ensure_mpi() { session(); }
 
-MPI_Comm communicator_at_end() { return may_have_ranks() ? session().at_end() : MPI_COMM_NULL; }
-
 int mpi_rank() {
   if (!may_have_ranks()) return 0;
   ensure_mpi();
@@ -65,6 +68,37 @@ int mpi_ranks() {
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   return ranks;
+}
+
+const void* all_ranks() {
+  static const MPI_Comm world = MPI_COMM_WORLD;
+  return mpi_ranks() > 1 ? &world : nullptr;
+}
+
+int value_of_first_rank(int value) {
+  if (mpi_ranks() > 1) MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  return value;
+}
+
+void largest_over_ranks(std::span<double> values) {
+  if (mpi_ranks() == 1) return;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+}
+
+std::int64_t smallest_at_end(const AtEnd& mine) {
+  if (mpi_ranks() == 1 || session().at_end() == MPI_COMM_NULL) return mine.value;
+  std::int64_t smallest = mine.value;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&mine.value, &smallest, 1, MPI_INT64_T, MPI_MIN, session().at_end(), &request);
+  const auto begun = std::chrono::steady_clock::now();
+  for (int done = 0; !done;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done) break;
+    if (mine.longest_wait && std::chrono::steady_clock::now() - begun > *mine.longest_wait)
+      MPI_Abort(MPI_COMM_WORLD, mine.code);
+    std::this_thread::sleep_for(poll_interval);
+  }
+  return smallest;
 }
 
 }  // namespace flowslide

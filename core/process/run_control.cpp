@@ -2,7 +2,6 @@
 #include "process/run_control.hpp"
 
 #include <fmt/format.h>
-#include <mpi.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -68,10 +67,10 @@ RunControl::Due RunControl::poll() {
                         std::min(walltime_share * limits_.walltime, longest_reserve);
   int wanted = static_cast<int>(StopSignals::received());
   if (wanted == 0 && now + needed > limits_.walltime) wanted = static_cast<int>(StopReason::walltime);
-  const int interval_over = now - last_kept_ >= limits_.checkpoint_interval ? 1 : 0;
-  std::array<int, 2> all{wanted, interval_over};
-  if (mpi_ranks() > 1) MPI_Allreduce(MPI_IN_PLACE, all.data(), 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  reason_ = static_cast<StopReason>(all[0]);
+  const bool interval_over = now - last_kept_ >= limits_.checkpoint_interval;
+  std::array<double, 2> all{static_cast<double>(wanted), interval_over ? 1.0 : 0.0};
+  largest_over_ranks(all);
+  reason_ = static_cast<StopReason>(static_cast<int>(all[0]));
   if (reason_ != StopReason::none) return Due::stop;
   return all[1] != 0 ? Due::checkpoint : Due::nothing;
 }

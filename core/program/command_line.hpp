@@ -19,7 +19,7 @@ struct CaseDescription {
   std::string description;           ///< one sentence
   std::string version;               ///< version that --version prints after the name
   std::vector<std::string> figures;  ///< "Fig. 3", ...
-  std::vector<std::string> engines;  ///< names that --engine accepts in this build
+  std::vector<std::string> engines;  ///< names that --engine accepts
 };
 
 /// The options of one start of the program.

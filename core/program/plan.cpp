@@ -5,9 +5,10 @@
 
 #include <ostream>
 
-#include "dem/liggghts/commands.hpp"
+#include "dem/make_engine.hpp"
 #include "program/versions.hpp"
 #include "record/health_line.hpp"
+#include "sample/closed_form.hpp"
 
 namespace flowslide {
 
@@ -39,12 +40,13 @@ void print_found_sample(std::ostream& out, const SampleSpecification& wanted, co
 }
 
 void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step) {
-  if (engine != "liggghts") return;
+  if (is_closed_form(engine)) return;
   Assembly assembly = lattice_packing(recipe.packing);
   assembly.cell.periodic = {true, true, false};
+  const std::vector<std::string> lines = setup_text(engine, assembly, {recipe.material, time_step, 0.0});
+  if (lines.empty()) return;
   out << "# LIGGGHTS, with the box of the loose packing in place of the sample's:\n";
-  for (const auto& line : setup_commands(assembly, {recipe.material, time_step, 0.0})) out << line << "\n";
-  for (const auto& line : grain_commands()) out << line << "\n";
+  for (const std::string& line : lines) out << line << "\n";
 }
 
 }  // namespace flowslide

@@ -22,7 +22,8 @@ void print_sample_plan(std::ostream& out, const SampleSpecification& sample, con
 /// Prints the sample that was found, with its health. A second line says in what way it is uneven, if it is.
 void print_found_sample(std::ostream& out, const SampleSpecification& wanted, const FoundSample& found);
 
-/// Prints the setup commands of LIGGGHTS, with the box of the loose packing. Prints nothing for other engines.
+/// Prints the setup commands of LIGGGHTS, with the box of the loose packing. Prints nothing for other engines. Throws
+/// MissingEngine if this build does not have the engine.
 void print_engine_plan(std::ostream& out, const SampleRecipe& recipe, const std::string& engine, double time_step);
 
 }  // namespace flowslide

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "configuration/error.hpp"
-#include "dem/engine.hpp"
+#include "dem/make_engine.hpp"
 #include "record/atomic_file.hpp"
 #include "sample/failure.hpp"
 
@@ -70,6 +70,8 @@ ExitCode code_of(const std::exception_ptr& failure) noexcept {
   } catch (const Refused&) {
     return ExitCode::configuration;
   } catch (const FileError&) {
+    return ExitCode::configuration;
+  } catch (const MissingEngine&) {
     return ExitCode::configuration;
   } catch (const std::system_error&) {
     return ExitCode::configuration;

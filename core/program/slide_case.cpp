@@ -13,6 +13,7 @@
 #include "input/read_closed_form_sample.hpp"
 #include "input/read_coupling.hpp"
 #include "input/read_samples.hpp"
+#include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
 #include "program/named.hpp"
 #include "program/plan.hpp"
@@ -70,9 +71,8 @@ struct SlideCase::Records {
   std::vector<Shot> shots = {};  ///< states of the sample of an element test, for pictures
 };
 
-/// A sample with the engine that it runs on.
+/// A sample, and what is recorded of it.
 struct SlideCase::Loaded {
-  std::unique_ptr<Engine> engine;
   std::unique_ptr<Sample> sample;
   DemSample* grains = nullptr;        ///< the sample if it is a DEM sample
   std::vector<Metric> metrics;        ///< metrics of the sample
@@ -154,8 +154,8 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
 void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const {
   if (closed_form_) return;
   const SampleSpecification& sample = slide(point.name).sample;
-  const FoundSample found =
-      find_sample(*make_engine(preparation_engine_, "/dev/null"), sample, sample_cache_folder(), progress, poll);
+  const auto engine = make_engine(preparation_engine_, "/dev/null", 0, all_ranks());
+  const FoundSample found = find_sample(*engine, sample, sample_cache_folder(), progress, poll);
   on_first_rank([&] { print_found_sample(std::cout, sample, found); });
 }
 
@@ -167,16 +167,16 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
     loaded.name = slide.engine;
     return loaded;
   }
-  const auto preparing =
-      make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"), run.threads);
+  const auto preparing = make_engine(preparation_engine_, run.output.file(slide.point.name + ".preparation.log"),
+                                     run.threads, all_ranks());
   const FoundSample found = find_sample(*preparing, slide.sample, sample_cache_folder(), run.progress,
                                         [&](const auto& keep) { run.checkpoints.poll_in_preparation(keep); });
   loaded.metrics = metrics_of(found);
   slide = on_sample(std::move(slide), found.sample.assembly.mean_diameter());
   loaded.name = found.name;
-  loaded.engine =
-      make_engine(slide.engine, run.output.file(slide.point.name + "." + slide.engine + ".log"), run.threads);
-  auto grains = std::make_unique<DemSample>(*loaded.engine, found.sample.assembly,
+  const auto log = run.output.file(slide.point.name + "." + slide.engine + ".log");
+  auto grains = std::make_unique<DemSample>(make_engine(slide.engine, log, run.threads, all_ranks()),
+                                            found.sample.assembly,
                                             EngineSettings{slide.sample.recipe.material,
                                                            slide.settings.passing.time_step, 0.0});
   if (slide.linear_start) grains->start_linear_at_first_strain();

@@ -36,6 +36,11 @@ CellStress stress_in(const SampleState& state, const std::string& prefix) {
 
 }  // namespace
 
+DemSample::DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings)
+    : DemSample(*engine, assembly, settings) {
+  owned_ = std::move(engine);
+}
+
 DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings)
     : engine_(engine),
       grains_(assembly.size()),
@@ -56,8 +61,7 @@ DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSetti
 }
 
 void DemSample::inspect_time_step() {
-  if (steps_ < next_inspection_) return;
-  next_inspection_ = steps_ + time_step_interval;
+  since_inspection_ = 0;
   check_contact_time_step(engine_.save(), settings().material, settings().time_step);
 }
 
@@ -90,7 +94,8 @@ CellStress DemSample::strain(const LocalRun& run) {
   shear_strain_ += run.rate.shear * run.duration();
   time_ += run.duration();
   steps_ += run.steps;
-  inspect_time_step();
+  since_inspection_ += run.steps;
+  if (since_inspection_ >= time_step_interval) inspect_time_step();
   clock_ticks_ += std::clock() - start;
   return stress_;
 }
@@ -131,19 +136,22 @@ void DemSample::restore(const SampleState& state) {
     same = same && std::abs(prepared.*part - prepared_.*part) <= rounding_of_sums * std::abs(prepared_.normal);
   if (!same)
     throw std::invalid_argument(
-        "the state is that of another sample: its grains or the stress that it was prepared to are not those of the "
-        "sample in the cache");
+        "the state is that of another sample: its number of grains or its prepared stress is not that of this sample; "
+        "restore the state into a sample of the same prepared assembly");
   EngineSettings settings = engine_.settings();
   settings.time_step = state.number("time_step");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);
+  const double shear_strain = state.number("shear_strain"), time = state.number("time");
+  const double processor_seconds = state.number("processor_seconds");
+  const std::int64_t steps = state.count("steps");
+  const CellStress stress = stress_in(state, "");
   engine_.load(*state.grains, settings);
-  shear_strain_ = state.number("shear_strain");
-  time_ = state.number("time");
-  steps_ = state.count("steps");
+  shear_strain_ = shear_strain;
+  time_ = time;
+  steps_ = steps;
   constexpr double a_century = 3.2e9;  // s; no run takes longer
-  clock_ticks_ =
-      static_cast<std::clock_t>(std::clamp(state.number("processor_seconds"), 0.0, a_century) * CLOCKS_PER_SEC);
-  stress_ = stress_in(state, "");  // before its first step an engine may round the stress differently
+  clock_ticks_ = static_cast<std::clock_t>(std::clamp(processor_seconds, 0.0, a_century) * CLOCKS_PER_SEC);
+  stress_ = stress;  // before its first step an engine may round the stress differently
 }
 
 Assembly DemSample::assembly() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <ctime>
+#include <memory>
 
 #include "sample/sample.hpp"
 
@@ -12,9 +13,12 @@ namespace flowslide {
 /// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
-  /// Loads the assembly. Throws std::invalid_argument for missing glued layers, for glued layers in a cell that is
-  /// periodic along z, for settings out of their bounds, and for a time step too long for the smallest grain. Throws
-  /// NumericalFailure for a time step too long for the contacts (see check_contact_time_step).
+  /// Loads the assembly into an engine of its own. Throws std::invalid_argument for missing glued layers, for glued
+  /// layers in a cell that is periodic along z, for settings out of their bounds, and for a time step too long for the
+  /// smallest grain. Throws NumericalFailure for a time step too long for the contacts (see check_contact_time_step).
+  DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings);
+  /// The same on an engine of the caller, which must outlive the sample and which nothing else may use meanwhile. For
+  /// samples that use one engine in turn.
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
   /// Adds the velocity field of simple shear at `shear_rate` (1/s) to every mobile grain, and half the curl of the
@@ -36,8 +40,8 @@ class DemSample : public Sample {
   double void_ratio() const override;
   /// Grains with their contact histories, clocks, present stress and the stress after the preparation.
   SampleState state() const override;
-  /// Precondition: the sample has just been loaded from the same prepared assembly. Throws std::invalid_argument if the
-  /// state is that of another sample.
+  /// Precondition: the sample was loaded from the same prepared assembly; it may have been strained since. Throws
+  /// std::invalid_argument if the state is that of another sample; the sample is then unchanged.
   void restore(const SampleState& state) override;
 
   double time() const { return time_; }       ///< local clock, s
@@ -53,6 +57,7 @@ class DemSample : public Sample {
   void set_time_step(double time_step);
   void inspect_time_step();
 
+  std::unique_ptr<Engine> owned_;  ///< empty if the engine is the caller's
   Engine& engine_;
   std::uint64_t grains_;
   double solid_volume_;
@@ -63,7 +68,7 @@ class DemSample : public Sample {
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::clock_t clock_ticks_ = 0;
-  std::int64_t next_inspection_ = 0;  ///< number of the step at which inspect_time_step acts next
+  std::int64_t since_inspection_ = 0;  ///< steps since the last check of the time step; `restore` does not change it
   CellStress stress_;
 };
 

@@ -41,7 +41,7 @@ class Sample {
 
   /// The state for a checkpoint. Collective over the ranks that share the sample.
   virtual SampleState state() const = 0;
-  /// Continues from `state`. Precondition: a new sample of the same properties. Throws std::invalid_argument if the
+  /// Continues from `state`. Precondition: a sample of the same properties; it may have been strained. Throws std::invalid_argument if the
   /// state is that of another sample.
   virtual void restore(const SampleState& state) = 0;
 };

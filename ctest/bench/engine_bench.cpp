@@ -55,10 +55,9 @@ class Bench {
   CellStress strain(int steps) { return sample_->strain({{state_.shear_rate, 0.0}, steps, time_step}); }
 
   void start() {
-    sample_.reset();  // it refers to the engine
     const auto log = std::filesystem::temp_directory_path() / "flowslide_bench.log";
-    engine_ = make_engine(engine_name_, log, threads_);
-    sample_.emplace(*engine_, state_.assembly, EngineSettings{Material{}, time_step, 0.0});
+    sample_.emplace(make_engine(engine_name_, log, threads_, all_ranks()), state_.assembly,
+                    EngineSettings{Material{}, time_step, 0.0});
     if (state_.name == "shear") sample_->start_linear_velocity_field(state_.shear_rate);
     for (int round = 0; round < warm_rounds; ++round) strain(steps_per_exchange * exchanges_per_round);
     contacts_ = sample_->assembly().contacts.size();
@@ -82,13 +81,19 @@ class Bench {
   std::string engine_name_;
   int threads_;
   std::size_t place_;  ///< in the table
-  std::unique_ptr<Engine> engine_;
   std::optional<DemSample> sample_;
   std::size_t contacts_ = 0;
 };
 
+/// The engines of this build, without the variant of LIGGGHTS that keeps histories.
+std::vector<std::string> measured_engines() {
+  std::vector<std::string> names = engine_names_of_build();
+  std::erase(names, "liggghts-stock");
+  return names;
+}
+
 struct Options {
-  std::vector<std::string> engines{"liggghts", "native", "native-mixed"}, states = bench_state_names();
+  std::vector<std::string> engines = measured_engines(), states = bench_state_names();
   std::vector<int> grains{1100, 8800};
   int threads = 1, rounds = 0;
 };
@@ -97,7 +102,7 @@ struct Options {
 Options read_options(int argc, char** argv) {
   Options options;
   CLI::App app("Times of DEM engines side by side");
-  app.add_option("--engines", options.engines)->delimiter(',')->check(CLI::IsMember(engine_names()));
+  app.add_option("--engines", options.engines)->delimiter(',')->check(CLI::IsMember(engine_names_of_build()));
   app.add_option("--grains", options.grains)->delimiter(',')->check(CLI::Range(27, 10'000'000));
   app.add_option("--states", options.states)->delimiter(',')->check(CLI::IsMember(bench_state_names()));
   app.add_option("--threads", options.threads, "of the native engines")->check(CLI::Range(1, 1024));

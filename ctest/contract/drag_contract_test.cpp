@@ -10,6 +10,7 @@
 #include "grains/contact_forces.hpp"
 #include "grains/contact_law.hpp"
 #include "grains/stress.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -58,7 +59,9 @@ void follow_field(Scene& scene, const Vector3& fluctuation) {
 
 class DragContract : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<Engine> engine() const { return make_engine(GetParam(), testing::TempDir() + "drag_contract.log"); }
+  std::unique_ptr<Engine> engine() const {
+    return make_engine(GetParam(), testing::TempDir() + "drag_contract.log", 0, all_ranks());
+  }
   /// Of one force: float rounds sums of forces.
   double rounding() const { return GetParam() == "native-mixed" ? 1e-6 : 1e-12; }
   std::unique_ptr<Engine> ran(const Scene& scene, int steps, const EngineSettings& with = settings()) const {
@@ -158,7 +161,7 @@ TEST_P(DragContract, GoesOnFromASavedState) {
   EXPECT_LE(std::abs(whole->cell_stress().normal - parts->cell_stress().normal), within * whole->cell_stress().normal);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, DragContract, testing::ValuesIn(engine_names()), [](const auto& engine) {
+INSTANTIATE_TEST_SUITE_P(Engines, DragContract, testing::ValuesIn(engine_names_of_build()), [](const auto& engine) {
   std::string name = engine.param;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

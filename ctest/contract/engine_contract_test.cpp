@@ -6,11 +6,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "dem/make_engine.hpp"
 #include "grains/contact_forces.hpp"
 #include "grains/contact_law.hpp"
 #include "grains/stress.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/failure.hpp"
 #include "support/touching_lattice.hpp"
@@ -38,7 +41,9 @@ class EngineContract : public testing::TestWithParam<std::string> {
  protected:
   const Rounding& tolerance() const { return GetParam() == "native-mixed" ? in_float : in_double; }
   EngineSettings settings() const { return {Material{}, step, 0.0}; }
-  std::unique_ptr<Engine> engine() const { return make_engine(GetParam(), testing::TempDir() + "contract.log"); }
+  std::unique_ptr<Engine> engine(const std::string& log = "contract.log") const {
+    return make_engine(GetParam(), testing::TempDir() + log, 0, all_ranks());
+  }
   /// A sheared lattice with sliding, rolling and sticking contacts.
   Assembly sheared() const {
     auto e = engine();
@@ -322,7 +327,27 @@ TEST_P(EngineContract, RefusesASampleWithoutGluedLayersAndAStepTooLong) {
   EXPECT_THROW(DemSample(*e, touching_lattice(), coarse), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, EngineContract, testing::ValuesIn(engine_names()),
+TEST_P(EngineContract, EnginesLiveSideBySide) {
+  // The stress of the last engine after five runs, which alternate. Each engine has a velocity of its top, m/s.
+  const auto last_stress = [&](const std::vector<std::pair<Engine*, double>>& engines) {
+    for (const auto& [e, velocity] : engines) {
+      e->load(touching_lattice(), settings());
+      BoundaryMotion motion;
+      motion.top_velocity.x() = velocity;
+      e->move(motion);
+    }
+    for (int part = 0; part < 5; ++part)
+      for (const auto& [e, velocity] : engines) e->run(20);
+    return engines.back().first->cell_stress();
+  };
+  const auto alone = engine(), first = engine("contract_first.log"), second = engine("contract_second.log");
+  const CellStress expected = last_stress({{alone.get(), 0.2}});
+  const CellStress beside_another = last_stress({{first.get(), 0.1}, {second.get(), 0.2}});
+  EXPECT_EQ(beside_another.shear, expected.shear);
+  EXPECT_EQ(beside_another.normal, expected.normal);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, EngineContract, testing::ValuesIn(engine_names_of_build()),
                          [](const auto& engine) {
                            std::string name = engine.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// core/grains/laws/linear.hpp: the contact law "linear" on both engines, against closed forms of two spheres.
+// core/grains/laws/linear.hpp: the contact law "linear" on each engine, against closed forms of two spheres.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "dem/liggghts/liggghts_engine.hpp"
-#include "dem/native/native_engine.hpp"
+#include "dem/make_engine.hpp"
 #include "grains/contact_law.hpp"
+#include "process/mpi_session.hpp"
 #include "support/clustered_cloud.hpp"
 
 namespace flowslide {
@@ -65,20 +65,19 @@ Impact collide(Engine& engine, const Material& material, double normal, double a
   return result;
 }
 
-/// Both engines, by turns.
+/// The engines in double that this build has, by turns.
 template <typename Check>
-void on_both_engines(Check&& check) {
-  DoubleEngine native;
-  LiggghtsEngine reference(testing::TempDir() + "linear_law.log");
-  for (Engine* engine : {static_cast<Engine*>(&native), static_cast<Engine*>(&reference)}) {
-    SCOPED_TRACE(engine->name());
-    check(*engine);
+void on_each_engine(Check&& check) {
+  for (const std::string& name : engine_names_of_build()) {
+    if (name != "native" && name != "liggghts") continue;
+    SCOPED_TRACE(name);
+    check(*make_engine(name, testing::TempDir() + "linear_law.log", 0, all_ranks()));
   }
 }
 
 TEST(LinearLaw, AnImpactLastsHalfAPeriodAndReturnsTheFractionEAtAnySpeed) {
   const EqualSpheres pair;
-  on_both_engines([&](Engine& engine) {
+  on_each_engine([&](Engine& engine) {
     for (const double restitution : {1.0, 0.8, 0.3})
       for (const double speed : {1e-3, 0.5}) {
         const Impact impact = collide(engine, linear(restitution, 0.5), speed, 0.0);
@@ -96,7 +95,7 @@ TEST(LinearLaw, AnImpactLastsHalfAPeriodAndReturnsTheFractionEAtAnySpeed) {
 
 TEST(LinearLaw, AnObliqueImpactThatSlidesThroughoutTakesMuTimesTheNormalImpulse) {
   const double friction = 0.1, normal = 0.01, across = 0.01;  // the surface keeps 3/10 of its velocity
-  on_both_engines([&](Engine& engine) {
+  on_each_engine([&](Engine& engine) {
     const Assembly after = collide(engine, linear(1.0, friction), normal, across).after;
     // Impulse of a grain over its mass: 2 v_n along n, so mu 2 v_n across; the spin follows with 5/(2 R). The normal
     // turns by some 2e-4 during the impact, which is 2e-3 of mu.
@@ -107,7 +106,7 @@ TEST(LinearLaw, AnObliqueImpactThatSlidesThroughoutTakesMuTimesTheNormalImpulse)
 
 TEST(LinearLaw, AnObliqueImpactThatSticksIsAnOscillationOfTheSurface) {
   const double normal = 0.05, across = 1e-4;
-  on_both_engines([&](Engine& engine) {
+  on_each_engine([&](Engine& engine) {
     const Assembly after = collide(engine, linear(1.0, 1e3), normal, across).after;
     // k_t = k_n, and the surface of equal spheres has 2/7 of the mass m*: after half a period of the normal motion its
     // velocity is cos(pi sqrt(7/2)) of the first. 2/7 of the change is translation.

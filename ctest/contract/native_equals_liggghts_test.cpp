@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
-#include "dem/liggghts/liggghts_engine.hpp"
+#include "dem/make_engine.hpp"
 #include "dem/native/native_engine.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "support/clustered_cloud.hpp"
 #include "support/touching_lattice.hpp"
@@ -17,8 +19,14 @@ namespace {
 
 constexpr double step = 2e-6;
 
+/// LIGGGHTS over all ranks.
+std::unique_ptr<Engine> liggghts() {
+  return make_engine("liggghts", testing::TempDir() + "native_equals_liggghts.log", 0, all_ranks());
+}
+
 struct Pair {
-  LiggghtsEngine reference{testing::TempDir() + "native_equals_liggghts.log"};
+  const std::unique_ptr<Engine> owned = liggghts();
+  Engine& reference = *owned;
   DoubleEngine native;
 
   void load(const Assembly& assembly, const EngineSettings& settings) {
@@ -76,7 +84,8 @@ struct Difference {
 
 /// A sheared lattice with sliding, rolling and sticking contacts, as the reference leaves it.
 Assembly sheared() {
-  LiggghtsEngine engine(testing::TempDir() + "native_equals_liggghts.log");
+  const auto reference = liggghts();
+  Engine& engine = *reference;
   DemSample sample(engine, touching_lattice(), {Material{}, step, 0.0});
   sample.start_linear_velocity_field(20.0);
   sample.strain({{20.0, 1.0}, 500, step});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dem/make_engine.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "support/touching_lattice.hpp"
 
@@ -20,7 +21,7 @@ double tolerance(const std::string& engine) { return engine.starts_with("native"
 class RestartContract : public testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<Engine> engine() const {
-    return make_engine(GetParam(), testing::TempDir() + "restart_contract." + GetParam() + ".log");
+    return make_engine(GetParam(), testing::TempDir() + "restart_contract." + GetParam() + ".log", 0, all_ranks());
   }
   static DemSample sample_on(Engine& engine) {
     return DemSample(engine, touching_lattice(), {Material{}, step, 0.0});
@@ -52,7 +53,7 @@ TEST_P(RestartContract, GoesOnFromAStoredState) {
   EXPECT_NE(expected.shear, state.number("shear_stress"));  // the strain has changed it
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names()),
+INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_names_of_build()),
                          [](const testing::TestParamInfo<std::string>& tested) {
                            std::string name = tested.param;
                            for (char& c : name)

@@ -83,7 +83,7 @@ class RecordOfALattice : public testing::Test {
   }
 
   const ShearTest test_{rate, rate * 400 * time_step, 10};
-  std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "shear_test.log");
+  std::unique_ptr<Engine> engine_ = make_engine(engine_names_of_build().front(), testing::TempDir() + "shear_test.log");
   const Assembly lattice_ = settled(*engine_);
   DemSample sample_{*engine_, lattice_, {Material{}, time_step, 0.0}};
   const CellStress stress_before_ = sample_.stress();
@@ -190,7 +190,7 @@ TEST(ShearTestRecord, MeasuresTheSameWhateverRowsAreKept) {
 TEST(ShearTestRecord, KeepsItsInertialNumberFiniteWhenNoContactIsLeft) {
   Assembly gas = touching_lattice();
   for (double& radius : gas.radius) radius *= 0.9;
-  const auto engine = make_engine("liggghts", testing::TempDir() + "shear_test.log");
+  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "shear_test.log");
   DemSample sample(*engine, gas, {Material{}, time_step, 0.0});
   const Series series = run_shear_test(sample, {5.0, 5.0 * 40 * time_step, 10}).rows;
   EXPECT_NO_THROW(series.check());

@@ -2,14 +2,15 @@
 #include "experiment/slide_run.hpp"
 
 #include <gtest/gtest.h>
-#include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dem/make_engine.hpp"
 #include "grains/measures.hpp"
 #include "grains/profiles.hpp"
+#include "process/mpi_session.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/elastic_sample.hpp"
 #include "support/touching_lattice.hpp"
@@ -28,9 +29,8 @@ SlideSettings pulsed() {
 }
 
 bool equal_on_all_ranks(double value) {
-  const double both[2] = {value, -value};
-  double largest[2];
-  MPI_Allreduce(both, largest, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  std::array<double, 2> largest{value, -value};
+  largest_over_ranks(largest);
   return largest[0] == value && largest[1] == -value;
 }
 
@@ -204,10 +204,10 @@ Series slid(Engine& engine) {
   return record.series;
 }
 
-TEST(RunSlideRanks, EveryRankHasTheSlopeOfAllGrains) {
+TEST(RunSlideRanks, EveryRankHasTheSlopeOfAllGrainsOfLiggghts) {
   // LIGGGHTS deals its grains out over the ranks, the native engine has all of them on each: the slope must be that of
   // all of them, the same to the bit on every rank, and the same on both engines but for rounding.
-  const auto liggghts = make_engine("liggghts", testing::TempDir() + "slide_run_ranks.log");
+  const auto liggghts = make_engine("liggghts", testing::TempDir() + "slide_run_ranks.log", 0, all_ranks());
   const auto native = make_engine("native", {});
   const Series over_ranks = slid(*liggghts), alone = slid(*native);
   for (const char* name : {"velocity", "displacement", "shear_stress", "normal_stress", "rate_applied"}) {
@@ -224,7 +224,7 @@ TEST(RunSlideRanks, EveryRankHasTheSlopeOfAllGrains) {
 
 TEST(RunSlide, ShearsGrainsAndMeasuresTheirProfiles) {
   constexpr double local_step = 2e-6;
-  const auto engine = make_engine("liggghts", testing::TempDir() + "slide_run.log");
+  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "slide_run.log");
   Assembly lattice = touching_lattice(6, 10);
   DemSample sample(*engine, lattice, {Material{}, local_step, 0.0});
   sample.strain({{0.0, 0.0}, 50, local_step});

@@ -2,10 +2,10 @@
 // A tiny case through the whole program. Collective parts run again on two MPI ranks (program.two_ranks).
 #include "program/case_program.hpp"
 
-#include <mpi.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include "process/mpi_session.hpp"
 #include "record/result_file.hpp"
@@ -63,10 +63,9 @@ class Tiny : public Case {
     return {{"a", {"1"}, "the \"first\"", 61.2, "loose"}, {"b", {"1", "12"}, "the second", 2.0, "loose"}};
   }
   void print_plan(const Point& point, std::ostream& out) const override {
-    int ranks = 0, one = 1;
-    ensure_mpi();  // engines are made by all ranks together
-    MPI_Allreduce(&one, &ranks, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
-    out << "plan of " << point.name << " on " << ranks << "\n";
+    std::array<double, 1> last{static_cast<double>(mpi_rank())};
+    largest_over_ranks(last);  // engines are made by all ranks together
+    out << "plan of " << point.name << " on " << static_cast<int>(last[0]) + 1 << "\n";
   }
   void prepare(const Point& point, const ProgressStyle&, const PreparationPoll& poll) const override {
     poll([] { return true; });

@@ -41,7 +41,7 @@ TEST(Plan, ShowsTheSampleThatWasFoundWithItsHealth) {
   EXPECT_CONTAINS(mixed.str(), "order of the lattice along y: in the middle of the cell it is 0.4, where 0.112");
 }
 
-TEST(Plan, ShowsCommandsOfAnEngineThatTakesThem) {
+TEST(Plan, ShowsCommandsOfLiggghtsWhichTakesThem) {
   std::ostringstream liggghts, native;
   SampleRecipe recipe;
   recipe.packing.counts = {5, 5, 6};

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "configuration/error.hpp"
-#include "dem/engine.hpp"
+#include "dem/make_engine.hpp"
 #include "process/mpi_session.hpp"
 #include "process/ranks.hpp"
 #include "record/atomic_file.hpp"
@@ -52,6 +52,7 @@ TEST(RunMain, EndsWithTwoForWhatTheUserWroteOrTheMachineRefuses) {
   EXPECT_EQ(outcome_of_throwing(Refused("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(FileError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(CorruptFileError("a")).code, 2);
+  EXPECT_EQ(outcome_of_throwing(MissingEngine("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(std::filesystem::filesystem_error("a", std::error_code())).code, 2);
   EXPECT_EQ(
       outcome_of_throwing(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))).code, 2);

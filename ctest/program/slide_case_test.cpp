@@ -137,11 +137,26 @@ TEST_F(SlideProgram, TakesTheMeanDiameterFromTheSampleThatWasFound) {
 }
 
 TEST_F(SlideProgram, PlansWithoutWriting) {
-  ASSERT_EQ(run({"--dry-run", "--engine", "liggghts", "--point", "RD_r2"}), 0) << error_;
+  ASSERT_EQ(run({"--dry-run", "--engine", "native", "--point", "RD_r2"}), 0) << error_;
   EXPECT_CONTAINS(text_, "seed 1001\n");
-  EXPECT_CONTAINS(text_, "pair_style");
   EXPECT_CONTAINS(text_, "# 40000 global steps of 0.0001 s, about 4e+05 local steps of 1e-05 s\n");
   EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(SlideProgram, PlansTheCommandsOfLiggghts) {
+  ASSERT_EQ(run({"--dry-run", "--engine", "liggghts", "--point", "RD_r2"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "pair_style");
+}
+
+TEST_F(SlideProgram, SaysHowToGetAnEngineThatThisBuildHasNot) {
+  const std::vector<std::string> built = engine_names_of_build();
+  for (const std::string& name : engine_names()) {
+    if (std::find(built.begin(), built.end(), name) != built.end()) continue;
+    EXPECT_EQ(run({"--engine", name, "--point", "RD_r2"}), 2);
+    EXPECT_CONTAINS(error_, "-DFLOWSLIDE_LIGGGHTS=ON");
+    EXPECT_EQ(run({"--dry-run", "--engine", name, "--point", "RD_r2"}), 2);
+    EXPECT_CONTAINS(error_, "-DFLOWSLIDE_LIGGGHTS=ON");
+  }
 }
 
 TEST_F(SlideProgram, SlidesOnGrainsAndTakesProfiles) {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include "dem/make_engine.hpp"
@@ -24,7 +26,7 @@ constexpr double step = 2e-6;
 
 class DemSampleTest : public testing::Test {
  protected:
-  std::unique_ptr<Engine> engine_ = make_engine("liggghts", testing::TempDir() + "dem_sample.log");
+  std::unique_ptr<Engine> engine_ = make_engine(engine_names_of_build().front(), testing::TempDir() + "dem_sample.log");
   EngineSettings settings_{Material{}, step, 0.0};
 };
 
@@ -228,6 +230,53 @@ TEST_F(DemSampleGoesOn, WithTheSameBitsOnAnyNumberOfThreads) {
       EXPECT_EQ(reached.grains->position[i], expected.grains->position[i]);
       EXPECT_EQ(reached.grains->velocity[i], expected.grains->velocity[i]);
     }
+  }
+}
+
+TEST_F(DemSampleGoesOn, FromAnEarlierStateOfItsOwn) {
+  DemSample sample(std::make_unique<DoubleEngine>(), touching_lattice(), {Material{}, step, 0.0});
+  strain(sample, 0, 3);
+  const SampleState state = sample.state();
+  strain(sample, 3, 8);
+  const SampleState expected = sample.state();
+  sample.restore(state);
+  EXPECT_EQ(sample.steps(), static_cast<std::int64_t>(state.number("steps")));
+  strain(sample, 3, 8);
+  EXPECT_EQ(sample.stress().shear, expected.number("shear_stress"));
+  const Assembly reached = sample.assembly();
+  for (std::size_t i = 0; i < reached.size(); ++i) EXPECT_EQ(reached.position[i], expected.grains->position[i]);
+}
+
+TEST_F(DemSampleGoesOn, UnchangedWhereAStateIsRefused) {
+  DemSample sample(std::make_unique<DoubleEngine>(), touching_lattice(), {Material{}, step, 0.0});
+  strain(sample, 0, 2);
+  const SampleState before = sample.state();
+  strain(sample, 2, 4);
+  SampleState spoilt = before;
+  spoilt.numbers.erase("shear_stress");
+  const double stress = sample.stress().shear, strained = sample.shear_strain();
+  const Vector3 position = sample.assembly().position[20];
+  EXPECT_THROW(sample.restore(spoilt), std::invalid_argument);
+  EXPECT_EQ(sample.stress().shear, stress);
+  EXPECT_EQ(sample.shear_strain(), strained);
+  EXPECT_EQ(sample.assembly().position[20], position);
+}
+
+TEST_F(DemSampleGoesOn, WithTheSameBitsBesideAnotherInAThreadOfItsOwn) {
+  const auto new_sample = [] {
+    return std::make_unique<DemSample>(std::make_unique<DoubleEngine>(NativeOptions{.threads = 1}), touching_lattice(),
+                                       EngineSettings{Material{}, step, 0.0});
+  };
+  const auto alone = new_sample();
+  strain(*alone, 0, 20);
+  std::vector<std::unique_ptr<DemSample>> samples;
+  for (int k = 0; k < 4; ++k) samples.push_back(new_sample());
+  std::vector<std::thread> threads;
+  for (const auto& sample : samples) threads.emplace_back([&sample] { strain(*sample, 0, 20); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& sample : samples) {
+    EXPECT_EQ(sample->stress().shear, alone->stress().shear);
+    EXPECT_EQ(sample->stress().normal, alone->stress().normal);
   }
 }
 

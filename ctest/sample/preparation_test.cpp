@@ -23,7 +23,7 @@ SampleRecipe small_recipe() {
 }
 
 TEST(Preparation, ReachesItsTargetsAndHoldsThemAtRest) {
-  const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
+  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "preparation.log");
   const SampleRecipe recipe = small_recipe();
   std::vector<int> stages;
   const PreparedSample sample = prepare_sample(*engine, recipe, [&](const PreparationProgress& progress) {
@@ -178,7 +178,7 @@ TEST(Preparation, FrictionAndRestitutionOfItsOwnEndBeforeStageFour) {
 }
 
 TEST(Preparation, SaysWhichStageFailed) {
-  const auto engine = make_engine("liggghts", testing::TempDir() + "preparation.log");
+  const auto engine = make_engine(engine_names_of_build().front(), testing::TempDir() + "preparation.log");
   SampleRecipe recipe = small_recipe();
   recipe.most_steps = 60;
   try {

@@ -43,6 +43,7 @@ settings_for() {
 # sweep CASE ENGINE: prints the faults.
 sweep() {
   local name=$1 engine=$2 program="$build/cases/$1/$1" folder="$room/out put/$1/$2" log="$room/$1.$2.log" options=() code
+  [[ $("$program" --engine "$engine" --dry-run 2>&1 || true) != *'this build has no engine'* ]] || return 0
   mapfile -t options < <(settings_for "$program" "$engine")
   options=(--engine "$engine" "${options[@]}")
   # expect CODES COMMAND...

@@ -6,6 +6,7 @@
 #include "dem/liggghts/error_bridge.hpp"
 
 #include <error.h>
+#include <lammps.h>
 #include <mpi.h>
 
 #include <cstdio>
@@ -30,20 +31,20 @@ std::string message(const char* text) {
          "\n  its log: " + activity.log.string();
 }
 
-/// An error that all ranks report together.
-[[noreturn]] void fail_together(const char* text) {
-  ++liggghts_activity().errors;
+/// An error that all ranks of the simulation report together.
+[[noreturn]] void fail_together(const LAMMPS_NS::LAMMPS* simulation, const char* text) {
+  liggghts_activity().broken.insert(simulation);
   throw EngineError(message(text));
 }
 
 /// An error of one rank. The others wait in a collective call, so that all ranks must be ended.
-[[noreturn]] void fail_alone(const char* text) {
+[[noreturn]] void fail_alone(const LAMMPS_NS::LAMMPS* simulation, const char* text) {
   int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (ranks == 1) fail_together(text);
+  MPI_Comm_size(simulation->world, &ranks);
+  if (ranks == 1) fail_together(simulation, text);
   std::fprintf(stderr, "error: %s\n", message(text).c_str());
   std::fflush(stderr);
-  MPI_Abort(MPI_COMM_WORLD, exit_numerical_failure);
+  MPI_Abort(simulation->world, exit_numerical_failure);
   std::abort();
 }
 
@@ -52,14 +53,14 @@ std::string message(const char* text) {
 
 namespace LAMMPS_NS {
 
-void Error::all(const char*, int, const char* text) { flowslide::fail_together(text); }
-void Error::one(const char*, int, const char* text) { flowslide::fail_alone(text); }
-void Error::universe_all(const char*, int, const char* text) { flowslide::fail_together(text); }
-void Error::universe_one(const char*, int, const char* text) { flowslide::fail_alone(text); }
-void Error::fix_error(const char*, int, Fix*, const char* text) { flowslide::fail_together(text); }
+void Error::all(const char*, int, const char* text) { flowslide::fail_together(lmp, text); }
+void Error::one(const char*, int, const char* text) { flowslide::fail_alone(lmp, text); }
+void Error::universe_all(const char*, int, const char* text) { flowslide::fail_together(lmp, text); }
+void Error::universe_one(const char*, int, const char* text) { flowslide::fail_alone(lmp, text); }
+void Error::fix_error(const char*, int, Fix*, const char* text) { flowslide::fail_together(lmp, text); }
 void Error::fix_error(const char*, int, Fix*, const char* style, const char* text) {
-  flowslide::fail_together(("fix " + std::string(style) + ": " + text).c_str());
+  flowslide::fail_together(lmp, ("fix " + std::string(style) + ": " + text).c_str());
 }
-void Error::compute_error(const char*, int, Compute*, const char* text) { flowslide::fail_together(text); }
+void Error::compute_error(const char*, int, Compute*, const char* text) { flowslide::fail_together(lmp, text); }
 
 }  // namespace LAMMPS_NS

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <filesystem>
+#include <set>
 #include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
 
 namespace flowslide {
 
@@ -9,7 +14,7 @@ namespace flowslide {
 struct LiggghtsActivity {
   std::string doing = "starting";
   std::filesystem::path log;
-  int errors = 0;  ///< number of errors in this process so far
+  std::set<const LAMMPS_NS::LAMMPS*> broken;  ///< simulations that have reported an error
 };
 LiggghtsActivity& liggghts_activity();
 

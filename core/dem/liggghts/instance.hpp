@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <mpi.h>
+
 #include <filesystem>
 #include <string>
 
@@ -9,12 +11,12 @@ class LAMMPS;
 
 namespace flowslide {
 
-/// One LIGGGHTS simulation in this process, on all ranks of MPI_COMM_WORLD. It writes its log to a file and nothing to
-/// the screen. Errors in LIGGGHTS throw EngineError; the message gives the command and the log.
+/// One LIGGGHTS simulation on all ranks of a communicator. It writes its log to a file and nothing to the screen. Errors
+/// in LIGGGHTS throw EngineError; the message gives the command and the log.
 class LiggghtsInstance {
  public:
-  /// Throws EngineError if the log cannot be written.
-  explicit LiggghtsInstance(std::filesystem::path log);
+  /// Uses a copy of `communicator`; collective over it. Throws EngineError if the log cannot be written.
+  explicit LiggghtsInstance(std::filesystem::path log, MPI_Comm communicator = MPI_COMM_SELF);
   ~LiggghtsInstance();
   LiggghtsInstance(const LiggghtsInstance&) = delete;
   LiggghtsInstance& operator=(const LiggghtsInstance&) = delete;
@@ -26,12 +28,13 @@ class LiggghtsInstance {
   LAMMPS_NS::LAMMPS& operator*() const { return *instance_; }
   LAMMPS_NS::LAMMPS* operator->() const { return instance_; }
   const std::filesystem::path& log() const { return log_; }
+  /// The copy of the communicator.
+  MPI_Comm communicator() const;
 
  private:
   void open_log();
 
   std::filesystem::path log_;
-  int errors_before_ = 0;
   LAMMPS_NS::LAMMPS* instance_ = nullptr;
 };
 

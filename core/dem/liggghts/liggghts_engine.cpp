@@ -32,21 +32,19 @@
 namespace flowslide {
 namespace {
 
-void sum_over_ranks(double* values, std::size_t count) {
-  MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-}
-
-std::vector<ContactHistory> gather(const std::vector<ContactHistory>& mine) {
+std::vector<ContactHistory> gather(const std::vector<ContactHistory>& mine, MPI_Comm communicator) {
   const int bytes = static_cast<int>(mine.size() * sizeof(ContactHistory));
-  std::vector<int> counts(mpi_ranks()), offsets(mpi_ranks());
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  int ranks = 1;
+  MPI_Comm_size(communicator, &ranks);
+  std::vector<int> counts(ranks), offsets(ranks);
+  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
   int total = 0;
   for (std::size_t rank = 0; rank < counts.size(); ++rank) {
     offsets[rank] = total;
     total += counts[rank];
   }
   std::vector<ContactHistory> all(total / sizeof(ContactHistory));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE, MPI_COMM_WORLD);
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE, communicator);
   std::sort(all.begin(), all.end(), [](const ContactHistory& a, const ContactHistory& b) {
     return std::tie(a.first, a.second) < std::tie(b.first, b.second);
   });
@@ -74,8 +72,8 @@ void refuse_sliding_faces(const Cell& cell, const BoundaryMotion& motion) {
 
 }  // namespace
 
-LiggghtsEngine::LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated)
-    : log_(std::move(log)), separated_(separated) {
+LiggghtsEngine::LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated, MPI_Comm communicator)
+    : log_(std::move(log)), separated_(separated), communicator_(communicator) {
   ensure_mpi();
 }
 LiggghtsEngine::~LiggghtsEngine() = default;
@@ -87,7 +85,7 @@ void LiggghtsEngine::load(const Assembly& assembly, const EngineSettings& settin
   motion_ = {};
   grains_ = assembly.size();
   instance_.reset();
-  instance_ = std::make_unique<LiggghtsInstance>(log_);
+  instance_ = std::make_unique<LiggghtsInstance>(log_, communicator_);
   for (const std::string& line : setup_commands(assembly, settings, separated_)) instance_->command(line);
   create_grains(assembly);
   for (const std::string& line : grain_commands()) instance_->command(line);
@@ -119,7 +117,7 @@ void LiggghtsEngine::create_grains(const Assembly& assembly) {
       if (lammps.modify->fix[m]->create_attribute) lammps.modify->fix[m]->set_arrays(i);
   }
   LAMMPS_NS::bigint count = atom.nlocal;
-  MPI_Allreduce(&count, &atom.natoms, 1, MPI_LMP_BIGINT, MPI_SUM, MPI_COMM_WORLD);
+  MPI_Allreduce(&count, &atom.natoms, 1, MPI_LMP_BIGINT, MPI_SUM, instance_->communicator());
   if (atom.natoms != static_cast<LAMMPS_NS::bigint>(assembly.size()))
     throw EngineError(fmt::format("{} of {} grains lie outside the cell; every centre must be inside its planes",
                                   assembly.size() - atom.natoms, assembly.size()));
@@ -206,7 +204,7 @@ CellStress LiggghtsEngine::cell_stress() const {
   sums.pair_virial_x = (*instance_)->force->pair->virial[0];
   sums.pair_virial_y = (*instance_)->force->pair->virial[1];
   static_assert(sizeof(StressSums) == 17 * sizeof(double), "summed over the ranks as numbers in a row");
-  MPI_Allreduce(MPI_IN_PLACE, &sums, 17, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  MPI_Allreduce(MPI_IN_PLACE, &sums, 17, MPI_DOUBLE, MPI_SUM, instance_->communicator());
   return stress_of(sums, steering_->cell());
 }
 
@@ -214,7 +212,7 @@ Cell LiggghtsEngine::cell() const { return steering_->cell(); }
 
 std::uint64_t LiggghtsEngine::count_grains() const {
   std::uint64_t count = steering_->grains_inside();
-  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_UINT64_T, MPI_SUM, instance_->communicator());
   return count;
 }
 
@@ -230,7 +228,8 @@ Assembly LiggghtsEngine::save() const {
     row[15] = atom.radius[i];
     row[16] = atom.type[i];
   }
-  sum_over_ranks(table.data(), table.size());
+  MPI_Allreduce(MPI_IN_PLACE, table.data(), static_cast<int>(table.size()), MPI_DOUBLE, MPI_SUM,
+                instance_->communicator());
 
   Assembly assembly;
   assembly.cell = steering_->cell();
@@ -248,7 +247,7 @@ Assembly LiggghtsEngine::save() const {
     assembly.radius[k] = row[15];
     assembly.role[k] = role_of(static_cast<int>(row[16]));
   }
-  assembly.contacts = gather(read_histories(**instance_));
+  assembly.contacts = gather(read_histories(**instance_), instance_->communicator());
   return assembly;
 }
 

@@ -14,8 +14,10 @@ class SteeringFix;
 /// The reference engine: LIGGGHTS (Kloss et al. 2012, doi 10.1504/PCFD.2012.047457) in this process.
 class LiggghtsEngine : public Engine {
  public:
-  /// `log` is the log file of LIGGGHTS.
-  explicit LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated = SeparatedHistory::cleared);
+  /// `log` is the log file of LIGGGHTS. The ranks of `communicator` divide the grains; MPI_COMM_SELF: one process. The
+  /// communicator must live as long as the engine. Starts MPI unless it is started.
+  explicit LiggghtsEngine(std::filesystem::path log, SeparatedHistory separated = SeparatedHistory::cleared,
+                          MPI_Comm communicator = MPI_COMM_SELF);
   ~LiggghtsEngine() override;
 
   void load(const Assembly& assembly, const EngineSettings& settings) override;
@@ -38,6 +40,7 @@ class LiggghtsEngine : public Engine {
 
   std::filesystem::path log_;
   SeparatedHistory separated_;
+  MPI_Comm communicator_;
   EngineSettings settings_;
   BoundaryMotion motion_;
   std::size_t grains_ = 0;

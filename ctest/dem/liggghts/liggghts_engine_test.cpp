@@ -2,7 +2,15 @@
 #include "dem/liggghts/liggghts_engine.hpp"
 
 #include <gtest/gtest.h>
+#include <mpi.h>
+#include <stdlib.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "process/mpi_session.hpp"
 #include "support/touching_lattice.hpp"
 
 namespace flowslide {
@@ -43,6 +51,65 @@ TEST(LiggghtsEngine, ForgetsTheHistoryOfAPairThatSeparates) {
   ASSERT_EQ(contacts.size(), 1u);
   // One step of new sliding, against the 1e-7 m that it had.
   EXPECT_LT(contacts[0].tangential_spring.norm(), 1e-8);
+}
+
+/// tau of a lattice after some steps with this velocity of its top, Pa.
+double sheared(LiggghtsEngine& engine, double velocity) {
+  engine.load(touching_lattice(), {Material{}, 2e-6, 0.0});
+  BoundaryMotion motion;
+  motion.top_velocity.x() = velocity;
+  engine.move(motion);
+  engine.run(100);
+  return engine.cell_stress().shear;
+}
+
+// Run in one process, and again on two MPI ranks (dem/liggghts.two_ranks).
+TEST(LiggghtsEngineRanks, DivideASampleOrHaveOneEach) {
+  ensure_mpi();
+  const int rank = mpi_rank();
+  const auto log = [&](const std::string& name) { return testing::TempDir() + name + std::to_string(rank) + ".log"; };
+  LiggghtsEngine together(log("together"), SeparatedHistory::cleared, MPI_COMM_WORLD), own(log("own"));
+  double expected = 0.0;
+  for (int other = 0; other < mpi_ranks(); ++other)
+    if (const double shear = sheared(together, 0.1 * (other + 1)); other == rank) expected = shear;
+  const double found = sheared(own, 0.1 * (rank + 1));
+  EXPECT_NEAR(found, expected, 1e-9 * std::abs(expected));  // rounding: the ranks sum in another order
+  MPI_Comm part = MPI_COMM_NULL;
+  MPI_Comm_split(MPI_COMM_WORLD, rank, 0, &part);
+  {
+    LiggghtsEngine of_part(log("part"), SeparatedHistory::cleared, part);
+    EXPECT_EQ(sheared(of_part, 0.1 * (rank + 1)), found);
+    EXPECT_EQ(sheared(own, 0.1 * (rank + 1)), found);
+  }
+  MPI_Comm_free(&part);
+}
+
+TEST(LiggghtsEngineRanks, AnErrorOfOneSampleLeavesTheOthers) {
+  ensure_mpi();
+  LiggghtsEngine together(testing::TempDir() + "together.log", SeparatedHistory::cleared, MPI_COMM_WORLD);
+  const double expected = sheared(together, 0.1);
+  if (mpi_rank() == 0) {
+    LiggghtsInstance broken(testing::TempDir() + "broken.log");
+    EXPECT_THROW(broken.command("unknown_command"), EngineError);
+  }
+  EXPECT_EQ(sheared(together, 0.1), expected);
+}
+
+TEST(LiggghtsEngineDeathTest, MayOutliveTheMpiOfItsHost) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process of its own, in which MPI is not started
+  const auto host = [] {
+    ::setenv("OMPI_MCA_plm", "isolated", 0);  // see mpi_session.cpp
+    MPI_Init(nullptr, nullptr);
+    auto engine = std::make_unique<LiggghtsEngine>(testing::TempDir() + "host.log");
+    auto other = std::make_unique<LiggghtsEngine>(testing::TempDir() + "other_host.log");
+    sheared(*engine, 0.1);
+    sheared(*other, 0.1);
+    other.reset();  // one simulation is unused, one in use
+    MPI_Finalize();
+    engine.reset();
+    std::exit(0);
+  };
+  EXPECT_EXIT(host(), testing::ExitedWithCode(0), "^$");
 }
 
 TEST(LiggghtsEngine, RefusesAGrainOutsideTheCell) {
