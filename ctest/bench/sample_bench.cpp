@@ -88,7 +88,7 @@ void measure(int grains, int rounds) {
   row("construction", shortest(rounds, [&] { new_sample(); }));
   row("`mean_stress`", shortest(rounds, [&] { sample->mean_stress(); }));
   row("`assembly`", shortest(rounds, [&] { sample->assembly(); }));
-  fmt::print("\n{} contacts; a state has {:.3g} MB.\n\n", kept.grains->contacts.size(), 1e-6 * bytes_of(*kept.grains));
+  fmt::print("\n{} contacts; a state has {:.3g} MB.\n\n", kept.grains->contacts.size(), 1e-6 * static_cast<double>(bytes_of(*kept.grains)));
 }
 
 std::string processor() {
