@@ -59,8 +59,10 @@ Contact evaluate_pair(const Assembly& assembly, const Material& material, const 
   return contact;
 }
 
-void add_plane_contacts(const Assembly& assembly, const Material& material, const HalfStep& half,
-                        const PlaneVelocities& planes, std::uint32_t grain, std::vector<PlaneContact>& contacts) {
+/// The contacts of one grain with the planes of the rigid axes.
+std::vector<PlaneContact> plane_contacts(const Assembly& assembly, const Material& material, const HalfStep& half,
+                                         const PlaneVelocities& planes, std::uint32_t grain) {
+  std::vector<PlaneContact> contacts;
   const double radius = assembly.radius[grain];
   const Cell& cell = assembly.cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,6 +80,7 @@ void add_plane_contacts(const Assembly& assembly, const Material& material, cons
       contacts.push_back({grain, axis, upper, radius - distance, -distance * normal, force * normal});
     }
   }
+  return contacts;
 }
 
 }  // namespace
@@ -90,7 +93,8 @@ ContactForces evaluate_contact_forces(const Assembly& assembly, const Material& 
     forces.contacts.push_back(evaluate_pair(assembly, material, half, pair));
   for (std::uint32_t grain = 0; grain < assembly.size(); ++grain)
     if (assembly.role[grain] == Role::mobile)
-      add_plane_contacts(assembly, material, half, planes, grain, forces.plane_contacts);
+      for (const PlaneContact& contact : plane_contacts(assembly, material, half, planes, grain))
+        forces.plane_contacts.push_back(contact);
   return forces;
 }
 

@@ -45,7 +45,7 @@ using AcrossFaces = std::array<double, 5>;
 /// Adds the contact forces of the pairs to `loads` and advances the histories. If `across` is not null, adds the sums
 /// of each pair to the row of the block of its first grain.
 template <typename Real>
-using ContactPass = void (*)(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
+using ContactPass = void (*)(const LawConstants<Real>& constants, const PairView<Real>& pairs,
                              const Body<Real>* bodies, Load<Real>* loads, AcrossFaces* across);
 
 }  // namespace flowslide::native

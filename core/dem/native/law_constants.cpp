@@ -16,6 +16,7 @@ LawConstants<Real> law_constants(const Material& material, double time_step) {
   const PairConstants pair = pair_constants(material, 1.0, 1.0);  // moduli and damping do not depend on the radii
   LawConstants<Real> constants{};
   constants.law = material.contact_law;
+  constants.variant = variant_of(material);
   constants.time_step = static_cast<Real>(time_step);
   visit_law(material.contact_law, [&]<typename Law>(Law) {
     using Normal = typename Law::Normal;

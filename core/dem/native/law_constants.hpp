@@ -13,10 +13,14 @@ struct ConstantsOf;
 template <typename Real, typename... Parts>
 struct ConstantsOf<Real, laws::List<Parts...>> : Parts::template Constants<Real>... {};
 
+/// The parts of the law that a scene needs.
+enum class LawVariant { frictionless, sliding, sliding_and_rolling };
+
 /// Constants of the parts of all laws, for the pairs of one material. A part reads its own base.
 template <typename Real>
 struct LawConstants : ConstantsOf<Real, laws::Parts> {
   ContactLaw law;
+  LawVariant variant;
   Real time_step;  ///< dt_L, s
 
   template <typename Part>
@@ -24,9 +28,6 @@ struct LawConstants : ConstantsOf<Real, laws::Parts> {
     return *this;
   }
 };
-
-/// The parts of the law that a scene needs.
-enum class LawVariant { frictionless, sliding, sliding_and_rolling };
 
 /// The variant for a material: without friction it has no sliding part, and without rolling friction no rolling part.
 LawVariant variant_of(const Material& material);

@@ -206,7 +206,6 @@ void NativeEngine<Real>::prepare_law() {
   law_is_new_ = true;
   grains_.time_step = settings_.time_step;
   grains_.law = native::law_constants<Real>(settings_.material, settings_.time_step);
-  grains_.variant = native::variant_of(settings_.material);
   const std::size_t n = grains_.role.size();
   grains_.kick.resize(n);
   grains_.twist.resize(n);
@@ -264,7 +263,7 @@ void NativeEngine<Real>::run(std::int64_t steps) {
   if (steps <= 0) return;
   team_->run([this, steps](int number) {  // the first begin includes the end of the last step of the previous run
     native::Worker<Real>& worker = workers_[static_cast<std::size_t>(number)];
-    if (law_is_new_) worker.list().forget(grains_.variant);
+    if (law_is_new_) worker.list().forget(grains_.law.variant);
     int buffer = 1;
     worker.begin(!half_step_, buffer);
     for (std::int64_t left = steps; left > 1; --left, buffer = 1 - buffer) {

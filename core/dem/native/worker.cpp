@@ -185,7 +185,7 @@ void Worker<Real>::sum_loads(int buffer, AcrossFaces* across, Then then) {
   for (pairs.end = 0; part.end < range_.end;) {
     pairs.begin = pairs.end;
     pairs.end = std::min(all, pairs.begin + pairs_at_once);
-    passes_.contacts(grains_.variant, grains_.law, pairs, grains_.state(buffer).data(), loads_.data(), across);
+    passes_.contacts(grains_.law, pairs, grains_.state(buffer).data(), loads_.data(), across);
     // Pairs are sorted by their first, smaller grain: no later pair has a grain before it.
     part.end = range_.end;
     if (pairs.end < all)
@@ -253,7 +253,7 @@ void Worker<Real>::add_histories(const std::vector<Body<Real>>& half_step,
     PairList<Real> eased = list_;
     const auto law = with_scaled_caps(grains_.law, static_cast<Real>(1.0 - PairList<Real>::easing));
     std::vector<Load<Real>> unused(half_step.size());
-    passes_.contacts(grains_.variant, law, eased.view(boundaries_.cell()), half_step.data(), unused.data(), nullptr);
+    passes_.contacts(law, eased.view(boundaries_.cell()), half_step.data(), unused.data(), nullptr);
     list_.add_histories(half_step, contacts, &eased);
   }
 }

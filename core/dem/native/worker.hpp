@@ -30,7 +30,6 @@ struct Grains {
   std::vector<AcrossFaces> across;  ///< of each block at the end of the last run (see ContactPass), N m
   std::vector<std::uint32_t> top_layer;
   LawConstants<Real> law{};
-  LawVariant variant = LawVariant::sliding_and_rolling;
   double smallest_diameter = 0.0, largest_diameter = 0.0;  ///< m
 
   /// Copies `bodies` to the buffers that this number of workers needs.

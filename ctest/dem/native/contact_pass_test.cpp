@@ -110,7 +110,7 @@ TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGr
   EXPECT_GT(across, 20u);
   // Without a place for it, everything else is the same.
   RandomPairs<TypeParam> plain = before;
-  widest<TypeParam>().contacts(variant_of(plain.material), law_constants<TypeParam>(plain.material, pass_step),
+  widest<TypeParam>().contacts(law_constants<TypeParam>(plain.material, pass_step),
                                plain.view(), plain.bodies.data(), plain.loads.data(), nullptr);
   for (std::size_t i = 0; i < pairs.loads.size(); ++i)
     EXPECT_EQ(vector_of(plain.loads[i].force), vector_of(pairs.loads[i].force));

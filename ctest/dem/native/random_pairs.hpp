@@ -116,7 +116,7 @@ struct RandomPairs {
     return v;
   }
   void evaluate(const Passes<Real>& passes) {
-    passes.contacts(variant_of(material), law_constants<Real>(material, pass_step), view(), bodies.data(),
+    passes.contacts(law_constants<Real>(material, pass_step), view(), bodies.data(),
                     loads.data(), across.data());
   }
 

@@ -27,10 +27,10 @@ void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs,
 }
 
 template <typename Real>
-void contacts(LawVariant variant, const LawConstants<Real>& constants, const PairView<Real>& pairs,
+void contacts(const LawConstants<Real>& constants, const PairView<Real>& pairs,
               const Body<Real>* bodies, Load<Real>* loads, AcrossFaces* across) {
   visit_law(constants.law, [&]<typename Law>(Law) {
-    switch (variant) {
+    switch (constants.variant) {
       case LawVariant::frictionless: return all_pairs<Real, Law, false, false>(constants, pairs, bodies, loads, across);
       case LawVariant::sliding: return all_pairs<Real, Law, true, false>(constants, pairs, bodies, loads, across);
       case LawVariant::sliding_and_rolling:
