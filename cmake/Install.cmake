@@ -29,3 +29,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/flowslideConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/flowslideConfig.cmake ${PROJECT_BINARY_DIR}/flowslideConfigVersion.cmake
               cmake/FindLIGGGHTS.cmake cmake/FindSerialHDF5.cmake DESTINATION ${package})
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/library.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)  # README.md names it

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample/dem_sample.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "grains/bulk_mean_stress.hpp"
+#include "grains/require.hpp"
 #include "sample/health.hpp"
 
 namespace flowslide {
@@ -34,16 +38,68 @@ CellStress stress_in(const SampleState& state, const std::string& prefix) {
   return stress;
 }
 
+/// Throws std::invalid_argument if the pointer is empty.
+Engine& engine_at(const std::unique_ptr<Engine>& engine) {
+  if (engine) return *engine;
+  throw std::invalid_argument("the sample has got an empty pointer in place of an engine, perhaps because another "
+                              "sample has taken the engine over; make an engine for each sample");
+}
+
+void validate(const LocalRun& run) {
+  require(run.steps >= 0, "number of steps of a run", static_cast<double>(run.steps), ">= 0",
+          "To reverse a strain, change the sign of its rate.");
+  for (const auto& [name, rate] :
+       {std::pair{"shear", run.rate.shear}, std::pair{"compression", run.rate.compression}})
+    require(std::isfinite(rate), fmt::format("{} rate of a run", name), rate, "any finite number, 1/s",
+            "Check the strain that the caller passes.");
+}
+
+/// Returns the assembly. Throws std::invalid_argument without grains, for arrays that differ in length, and for a
+/// contact of grains that are not there or not in order.
+const Assembly& checked(const Assembly& assembly) {
+  const std::size_t n = assembly.size();
+  const auto refuse = [](const std::string& finding) {
+    throw std::invalid_argument("the assembly of a sample has " + finding +
+                                "; use the one that prepare_sample or a state has, unchanged");
+  };
+  if (n == 0) refuse("no grains");
+  if (assembly.role.size() != n) refuse(fmt::format("{} grains, but {} roles", n, assembly.role.size()));
+  for (const auto& [name, array] :
+       {std::pair{"positions", &assembly.position}, std::pair{"velocities", &assembly.velocity},
+        std::pair{"spins", &assembly.spin}, std::pair{"forces", &assembly.force},
+        std::pair{"torques", &assembly.torque}})
+    if (array->size() != n) refuse(fmt::format("{} grains, but {} {}", n, array->size(), name));
+  for (const ContactHistory& contact : assembly.contacts)
+    if (contact.first >= contact.second || contact.second >= n)
+      refuse(fmt::format("a contact of the grains {} and {}; allowed: first < second < {}", contact.first,
+                         contact.second, n));
+  return assembly;
+}
+
+/// In what the prepared sample of `state` differs from one of `grains` grains under the stress `prepared`; empty if it
+/// is the same.
+std::string difference(const SampleState& state, std::size_t grains, const CellStress& prepared) {
+  const CellStress of_state = stress_in(state, "prepared_");
+  const std::size_t grains_of_state = state.grains ? state.grains->size() : 0;
+  if (grains_of_state != grains)
+    return fmt::format("it has {} grains, and this sample has {}", grains_of_state, grains);
+  for (const auto& [name, part] : stress_parts)
+    if (!(std::abs(of_state.*part - prepared.*part) <= rounding_of_sums * std::abs(prepared.normal)))
+      return fmt::format("its prepared_{} is {:.10g} Pa, and that of this sample is {:.10g} Pa", name, of_state.*part,
+                         prepared.*part);
+  return "";
+}
+
 }  // namespace
 
 DemSample::DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings)
-    : DemSample(*engine, assembly, settings) {
+    : DemSample(engine_at(engine), assembly, settings) {
   owned_ = std::move(engine);
 }
 
 DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings)
     : engine_(engine),
-      grains_(assembly.size()),
+      grains_(checked(assembly).size()),
       solid_volume_(assembly.solid_volume()),
       smallest_radius_(assembly.smallest_radius()) {
   for (const Role layer : {Role::bottom_layer, Role::top_layer})
@@ -80,6 +136,7 @@ void DemSample::start_linear_velocity_field(double shear_rate) {
 
 CellStress DemSample::strain(const LocalRun& run) {
   const std::clock_t start = std::clock();
+  validate(run);
   set_time_step(run.time_step);
   if (steps_ == 0 && linear_at_first_strain_) start_linear_velocity_field(run.rate.shear);
   const double height = engine_.cell().height();
@@ -130,14 +187,11 @@ SampleState DemSample::state() const {
 }
 
 void DemSample::restore(const SampleState& state) {
-  const CellStress prepared = stress_in(state, "prepared_");
-  bool same = state.grains && state.grains->size() == grains_;
-  for (const auto& [name, part] : stress_parts)
-    same = same && std::abs(prepared.*part - prepared_.*part) <= rounding_of_sums * std::abs(prepared_.normal);
-  if (!same)
-    throw std::invalid_argument(
-        "the state is that of another sample: its number of grains or its prepared stress is not that of this sample; "
-        "restore the state into a sample of the same prepared assembly");
+  if (const std::string other = difference(state, grains_, prepared_); !other.empty())
+    throw std::invalid_argument("the state is that of another sample: " + other +
+                                "; restore the state into a sample of the same prepared assembly, material and kind of "
+                                "engine");
+  checked(*state.grains);
   EngineSettings settings = engine_.settings();
   settings.time_step = state.number("time_step");
   validate_time_step(settings.time_step, smallest_radius_, settings.material);

@@ -13,12 +13,14 @@ namespace flowslide {
 /// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
-  /// Loads the assembly into an engine of its own. Throws std::invalid_argument for missing glued layers, for glued
-  /// layers in a cell that is periodic along z, for settings out of their bounds, and for a time step too long for the
-  /// smallest grain. Throws NumericalFailure for a time step too long for the contacts (see check_contact_time_step).
+  /// Loads the assembly into an engine of its own. `settings` holds the material of the recipe, a time step and no
+  /// drag. Throws std::invalid_argument for an empty pointer, for an incomplete assembly, for missing glued layers, for
+  /// glued layers in a cell that is periodic along z, for settings out of their bounds, and for a time step that is too
+  /// long for the smallest grain. Throws NumericalFailure for a time step too long for the contacts (see
+  /// check_contact_time_step).
   DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings);
-  /// The same on an engine of the caller, which must outlive the sample and which nothing else may use meanwhile. For
-  /// samples that use one engine in turn.
+  /// The same on an engine of the caller, which must outlive the sample and which nothing else may use meanwhile. The
+  /// next sample on this engine replaces the grains: the earlier sample must not be used again.
   DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
 
   /// Adds the velocity field of simple shear at `shear_rate` (1/s) to every mobile grain, and half the curl of the
@@ -29,8 +31,9 @@ class DemSample : public Sample {
   /// Calls start_linear_velocity_field before the first step, with the shear rate of the first run.
   void start_linear_at_first_strain() { linear_at_first_strain_ = true; }
 
-  /// First sets the time step of the run if it is new; throws std::invalid_argument if this step is too long. Checks
-  /// the time step against the contacts every `time_step_interval` steps; throws NumericalFailure as the checks of
+  /// First sets the time step of the run if it is new. Throws std::invalid_argument if this step is not positive or
+  /// too long, if the number of steps is negative, or if a rate is not finite; the sample is then unchanged. Checks the
+  /// time step against the contacts every `time_step_interval` steps; throws NumericalFailure as the checks of
   /// health.hpp.
   CellStress strain(const LocalRun& run) override;
   CellStress stress() const override { return stress_; }
@@ -40,8 +43,9 @@ class DemSample : public Sample {
   double void_ratio() const override;
   /// Grains with their contact histories, clocks, present stress and the stress after the preparation.
   SampleState state() const override;
-  /// Precondition: the sample was loaded from the same prepared assembly; it may have been strained since. Throws
-  /// std::invalid_argument if the state is that of another sample; the sample is then unchanged.
+  /// Precondition: the sample was loaded from the same prepared assembly, with the same material, on the same kind of
+  /// engine; it may have been strained since. Throws std::invalid_argument if the state is that of another sample or
+  /// incomplete; the sample is then unchanged. Throws EngineError if a grain lies outside the cell.
   void restore(const SampleState& state) override;
 
   double time() const { return time_; }       ///< local clock, s

@@ -7,7 +7,7 @@
 
 namespace flowslide {
 
-/// Strain rates of a sample, 1/s, relative to its height at the start of the run.
+/// Strain rates of a sample, 1/s, finite, relative to its height at the start of the run.
 struct StrainRate {
   double shear = 0.0;        ///< d(gamma)/dt, positive when the top moves downslope (+x)
   double compression = 0.0;  ///< d(epsilon)/dt, positive when the sample becomes thinner; 0 keeps the volume
@@ -16,8 +16,8 @@ struct StrainRate {
 /// One run of a sample: a constant strain rate over some local time steps.
 struct LocalRun {
   StrainRate rate;
-  std::int64_t steps = 0;
-  double time_step = 0.0;  ///< dt_L, s
+  std::int64_t steps = 0;  ///< >= 0; the sign of a strain is that of its rate
+  double time_step = 0.0;  ///< dt_L, s; of a DemSample: above 0, at most longest_time_step (sample/health.hpp)
   /// False: the caller accepts the last measured stress, and the sample may skip the measurement.
   bool measured = true;
 
@@ -41,8 +41,8 @@ class Sample {
 
   /// The state for a checkpoint. Collective over the ranks that share the sample.
   virtual SampleState state() const = 0;
-  /// Continues from `state`. Precondition: a sample of the same properties; it may have been strained. Throws std::invalid_argument if the
-  /// state is that of another sample.
+  /// Continues from `state`. Precondition: a sample of the same properties; it may have been strained. Throws
+  /// std::invalid_argument if the state is that of another sample.
   virtual void restore(const SampleState& state) = 0;
 };
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # examples_test.sh BUILD VERSION CMAKE [MPIRUN...]: installs BUILD into an empty folder. The programs of examples/ must
-# build with nothing else, and run: the second in one process, and with MPIRUN on two ranks with the same numbers.
+# build with nothing else, and run: many_samples in one process, and with MPIRUN on two ranks with the same numbers. So
+# must the program on the page docs/library.md.
 set -euo pipefail
 build=$1 version=$2 cmake=$3
 launcher=("${@:4}")
@@ -50,6 +51,14 @@ configure alone "${version%.*}" 'sample coupling' "${absent[@]}" || fail 'sample
 echo '#include <sample/dem_sample.hpp>' >"$room/alone/all.cpp"
 ! "$cmake" --build "$room/alone/build" >"$room/log" 2>&1 || fail 'sample/dem_sample.hpp is found without flowslide/'
 grep -q 'sample/dem_sample.hpp: No such file' "$room/log" || fail 'the include of sample/dem_sample.hpp failed otherwise'
+
+# The program on the page ends with 1 unless the restored sample gives the same bits.
+mkdir "$room/page"
+awk '/^```cpp$/ { code = 1; next } /^```$/ { code = 0 } code' "$source_dir/docs/library.md" >"$room/page/all.cpp"
+grep -q 'restore' "$room/page/all.cpp" || fail 'docs/library.md has no program'
+configure page "${version%.*}" 'sample coupling' -DCMAKE_BUILD_TYPE=Release || fail 'the program of the page: not configured'
+"$cmake" --build "$room/page/build" >"$room/log" 2>&1 || fail 'the program of docs/library.md does not build'
+"$room/page/build/asks" >"$room/log" 2>&1 || fail 'the program of docs/library.md failed'
 
 "$cmake" -S "$source_dir/examples" -B "$room/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$room/prefix" >"$room/log" 2>&1 || fail 'the examples were not configured'

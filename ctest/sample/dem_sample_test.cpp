@@ -76,6 +76,30 @@ TEST_F(DemSampleTest, EachRunMayHaveATimeStepOfItsOwn) {
   EXPECT_THROW(sample.strain({{2.0, 0.0}, 1, 0.0}), std::invalid_argument);
 }
 
+TEST_F(DemSampleTest, RefusesARunThatIsNoStrainAndStaysUnchanged) {
+  DemSample sample(*engine_, touching_lattice(), settings_);
+  sample.strain({{2.0, 0.0}, 10, step});
+  const double strained = sample.shear_strain();
+  EXPECT_THROW(sample.strain({{2.0, 0.0}, -1, step}), std::invalid_argument);
+  EXPECT_THROW(sample.strain({{std::nan(""), 0.0}, 1, step}), std::invalid_argument);
+  EXPECT_THROW(sample.strain({{2.0, HUGE_VAL}, 1, step, false}), std::invalid_argument);
+  EXPECT_EQ(sample.steps(), 10);
+  EXPECT_EQ(sample.shear_strain(), strained);
+}
+
+TEST_F(DemSampleTest, RefusesAnIncompleteAssembly) {
+  const auto refuse = [&](auto&& spoil) {
+    Assembly assembly = touching_lattice();
+    spoil(assembly);
+    EXPECT_THROW(DemSample(*engine_, assembly, settings_), std::invalid_argument);
+  };
+  refuse([](Assembly& a) { a = {}; });
+  refuse([](Assembly& a) { a.role.pop_back(); });
+  refuse([](Assembly& a) { a.force.pop_back(); });
+  refuse([](Assembly& a) { a.contacts.push_back({0, static_cast<std::uint32_t>(a.size())}); });
+  EXPECT_THROW(DemSample(nullptr, touching_lattice(), settings_), std::invalid_argument);
+}
+
 TEST_F(DemSampleTest, StopsWhenContactsHaveBecomeTooStiffForTheTimeStep) {
   const Assembly lattice = touching_lattice();
   settings_.material.restitution = 0.3;  // dashpots lower the stability limit below the Rayleigh rule
@@ -291,6 +315,7 @@ TEST_F(DemSampleGoesOn, ButNotFromTheStateOfAnother) {
   };
   refuse([](SampleState& s) { s.grains.reset(); });
   refuse([](SampleState& s) { s.grains->resize(s.grains->size() + 1); });
+  refuse([](SampleState& s) { s.grains->velocity.pop_back(); });
   refuse([](SampleState& s) { s.numbers["prepared_normal_stress"] += 1.0; });
   refuse([](SampleState& s) { s.numbers["time_step"] = 1.0; });
   refuse([](SampleState& s) { s.numbers["steps"] = 0.5; });
