@@ -5,6 +5,8 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "grains/laws/epsd3.hpp"
@@ -14,9 +16,6 @@
 
 namespace flowslide {
 namespace laws {
-
-template <typename... Items>
-struct List {};
 
 /// A contact law of three parts. It has the name of its normal part.
 template <typename NormalPart, typename TangentialPart, typename RollingPart>
@@ -42,19 +41,45 @@ constexpr void for_each_item(List<Items...>, Visit&& visit) {
   (visit(Items{}), ...);
 }
 
-/// The parameters of all parts, as one base of Material.
-template <typename Items>
-struct ParametersOf;
+/// The items of both lists in their order, each once.
+template <typename Items, typename More>
+struct Union;
 template <typename... Items>
-struct ParametersOf<List<Items...>> : Items::Parameters... {
-  bool operator==(const ParametersOf&) const = default;
-  static constexpr auto fields() { return std::tuple_cat(Items::Parameters::fields()...); }
+struct Union<List<Items...>, List<>> {
+  using Type = List<Items...>;
 };
+template <typename... Items, typename First, typename... Rest>
+struct Union<List<Items...>, List<First, Rest...>>
+    : Union<std::conditional_t<(std::is_same_v<Items, First> || ...), List<Items...>, List<Items..., First>>,
+            List<Rest...>> {};
+
+/// The structs of parameters of all parts, each once: parts may share one.
+template <typename Parts, typename Found = List<>>
+struct ParametersOfParts {
+  using Type = Found;
+};
+template <typename First, typename... Rest, typename Found>
+struct ParametersOfParts<List<First, Rest...>, Found>
+    : ParametersOfParts<List<Rest...>, typename Union<Found, typename First::Parameters>::Type> {};
+
+/// These structs as one.
+template <typename Items>
+struct Joined;
+template <typename... Items>
+struct Joined<List<Items...>> : Items... {
+  bool operator==(const Joined&) const = default;
+  static constexpr auto fields() { return std::tuple_cat(Items::fields()...); }
+};
+
+/// The parameters of all parts, as one base of Material.
+template <typename Parts>
+using ParametersOf = Joined<typename ParametersOfParts<Parts>::Type>;
 
 /// Whether a part has a parameter of this name.
 template <typename Part>
 constexpr bool has_parameter(std::string_view name) {
-  return std::apply([&](const auto&... field) { return ((name == field.name) || ...); }, Part::Parameters::fields());
+  return std::apply([&](const auto&... field) { return ((name == field.name) || ...); },
+                    Joined<typename Part::Parameters>::fields());
 }
 
 }  // namespace laws

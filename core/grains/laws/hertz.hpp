@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
 #include <tuple>
 
 #include "grains/laws/contact.hpp"
@@ -20,13 +19,8 @@ struct Hertz {
   static constexpr const char* name = "hertz";
   static constexpr const char* liggghts_model = "hertz";
 
-  /// None of its own: E, nu and e are properties of the grains.
-  struct Parameters {
-    bool operator==(const Parameters&) const = default;
-    static constexpr auto fields() { return std::tuple<>{}; }
-  };
-
-  static constexpr std::array<LiggghtsProperty<Parameters>, 0> liggghts_properties{};
+  using Parameters = List<>;  ///< E, nu and e are properties of the grains
+  static constexpr std::tuple<> liggghts_properties{};
 
   static ContactStiffness stiffness(const auto&, const PairConstants& pair, double overlap) {
     const double scale = std::sqrt(pair.effective_radius * overlap);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
+#include <tuple>
 
 #include "grains/fields.hpp"
 #include "grains/laws/contact.hpp"
@@ -32,12 +32,11 @@ struct Linear {
   static constexpr const char* name = "linear";
   static constexpr const char* liggghts_model = "hooke";
 
-  using Parameters = LinearParameters;
-  using Property = LiggghtsProperty<Parameters>;
-  static constexpr std::array liggghts_properties{
-      Property{"characteristicVelocity", Property::Kind::scalar, &Parameters::characteristic_velocity}};
+  using Parameters = List<LinearParameters>;
+  static constexpr std::tuple liggghts_properties{LiggghtsProperty{
+      "characteristicVelocity", PropertyKind::scalar, &LinearParameters::characteristic_velocity}};
 
-  static ContactStiffness stiffness(const Parameters& p, const PairConstants& pair, double) {
+  static ContactStiffness stiffness(const LinearParameters& p, const PairConstants& pair, double) {
     const double root = root_scale(pair.effective_radius, pair.effective_mass);
     const double normal = coefficient(p, pair) * root * root;
     const double damping = -2.0 * pair.damping * std::sqrt(normal * pair.effective_mass);
@@ -52,7 +51,7 @@ struct Linear {
   struct Constants : StiffnessConstants<Real> {};
 
   template <typename Real>
-  static Constants<Real> constants(const Parameters& p, const PairConstants& pair) {
+  static Constants<Real> constants(const LinearParameters& p, const PairConstants& pair) {
     const double normal = coefficient(p, pair);
     const auto stiffness = static_cast<Real>(normal);
     const auto damping = static_cast<Real>(-2.0 * pair.damping * std::sqrt(normal));
@@ -71,7 +70,7 @@ struct Linear {
   }
 
  private:
-  static double coefficient(const Parameters& p, const PairConstants& pair) {
+  static double coefficient(const LinearParameters& p, const PairConstants& pair) {
     const double squared = p.characteristic_velocity * p.characteristic_velocity;
     return 16.0 / 15.0 * pair.effective_modulus * std::pow(15.0 * squared / (16.0 * pair.effective_modulus), 0.2);
   }
