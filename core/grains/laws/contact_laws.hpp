@@ -3,6 +3,8 @@
 // The contact laws that `material.contact_law` selects. Register a part or a law in the two lists below; its parameters
 // then are keys of the configuration, and every engine knows it (docs/extending.md).
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -17,16 +19,24 @@
 namespace flowslide {
 namespace laws {
 
-/// A contact law of three parts. It has the name of its normal part.
-template <typename NormalPart, typename TangentialPart, typename RollingPart>
+/// A text as an argument of a template.
+template <std::size_t size>
+struct Text {
+  char characters[size] = {};
+  consteval Text(const char (&text)[size]) { std::copy_n(text, size, characters); }
+};
+
+/// A contact law of three parts. `law_name` is its value of `material.contact_law`.
+template <Text law_name, typename NormalPart, typename TangentialPart, typename RollingPart>
 struct Law {
+  static constexpr const char* name = law_name.characters;
   using Normal = NormalPart;
   using Tangential = TangentialPart;
   using Rolling = RollingPart;
 };
 
 using Parts = List<Hertz, Linear, Sliding, Epsd3>;
-using Laws = List<Law<Hertz, Sliding, Epsd3>, Law<Linear, Sliding, Epsd3>>;
+using Laws = List<Law<"hertz", Hertz, Sliding, Epsd3>, Law<"linear", Linear, Sliding, Epsd3>>;
 
 /// Calls visit(Law) for the law number `index` of the list and returns its result.
 template <typename First, typename... Rest, typename Visit>
@@ -81,6 +91,33 @@ constexpr bool has_parameter(std::string_view name) {
   return std::apply([&](const auto&... field) { return ((name == field.name) || ...); },
                     Joined<typename Part::Parameters>::fields());
 }
+
+template <typename... Items>
+consteval bool have_different_names(List<Items...>) {
+  const auto occurrences = [](std::string_view name) { return (0 + ... + (name == Items::name)); };
+  return ((occurrences(Items::name) == 1) && ...);
+}
+static_assert(have_different_names(Laws{}), "two laws of the list have the same name");
+
+template <typename Part, typename... Items>
+consteval bool contains(List<Items...>) {
+  return (std::is_same_v<Part, Items> || ...);
+}
+template <typename... Items>
+consteval bool have_listed_parts(List<Items...>) {
+  return ((contains<typename Items::Normal>(Parts{}) && contains<typename Items::Tangential>(Parts{}) &&
+           contains<typename Items::Rolling>(Parts{})) && ...);
+}
+static_assert(have_listed_parts(Laws{}), "add each part of a law to Parts");
+
+/// The engines leave out the tangential part of a material without sliding friction, and likewise the rolling part.
+template <typename... Items>
+consteval bool are_left_out_without_friction(List<Items...>) {
+  return ((has_parameter<typename Items::Tangential>("sliding_friction") &&
+           has_parameter<typename Items::Rolling>("rolling_friction")) && ...);
+}
+static_assert(are_left_out_without_friction(Laws{}),
+              "a tangential part has the parameter sliding_friction, and a rolling part rolling_friction");
 
 }  // namespace laws
 

@@ -7,7 +7,7 @@
 
 namespace flowslide::laws {
 
-/// Normal part "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential stiffness without
+/// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential stiffness without
 /// slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
 /// Powder Technol. 71 (1992) 239-250.
 ///   F_n = k_n delta - gamma_n v_n, not clipped at zero
@@ -16,7 +16,6 @@ namespace flowslide::laws {
 /// With y = delta^(5/4) the normal part is a linear damped oscillator. An impact that ends at delta = 0 therefore returns
 /// exactly the fraction e of its velocity, at any velocity (T. Antypov and J. A. Elliott, EPL 94 (2011) 50004).
 struct Hertz {
-  static constexpr const char* name = "hertz";
   static constexpr const char* liggghts_model = "hertz";
 
   using Parameters = List<>;  ///< E, nu and e are properties of the grains

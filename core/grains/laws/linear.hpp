@@ -20,7 +20,7 @@ struct LinearParameters {
 };
 static_assert(lists_every_member<LinearParameters>());
 
-/// Normal part "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall and O. D. L.
+/// Normal part of the law "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall and O. D. L.
 /// Strack, Geotechnique 29 (1979) 47-65). The stiffness is that of `hooke` of LIGGGHTS 3.8 (`ktToKnUser off`): two
 /// grains that meet at the characteristic velocity v_c overlap as much as those of Hertz.
 ///   F_n = k_n delta - gamma_n v_n, not clipped at zero
@@ -29,7 +29,6 @@ static_assert(lists_every_member<LinearParameters>());
 /// An impact that ends at delta = 0 returns exactly the fraction e of its velocity, and lasts
 /// pi sqrt(m* / (k_n (1 - beta^2))), both at any velocity.
 struct Linear {
-  static constexpr const char* name = "linear";
   static constexpr const char* liggghts_model = "hooke";
 
   using Parameters = List<LinearParameters>;
