@@ -34,6 +34,7 @@ static_assert(lists_every_member<Epsd3Parameters>());
 /// rotated with the contact.
 struct Epsd3 {
   static constexpr const char* liggghts_model = "epsd3";
+  static constexpr bool has_history = true;
 
   using Parameters = List<RollingFriction, Epsd3Parameters>;
   static constexpr std::tuple liggghts_properties{
