@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <type_traits>
+#include <tuple>
 #include <utility>
 
 namespace flowslide {
@@ -30,11 +30,12 @@ std::string scalar(const char* property, double value) {
 /// Appends the properties of a part of the law.
 template <typename Part>
 void add_properties(const Material& material, std::vector<std::string>& commands) {
-  for (const laws::LiggghtsProperty<typename Part::Parameters>& property : Part::liggghts_properties) {
+  const auto add = [&](const auto& property) {
     const double value = material.*property.value;
-    const bool per_pair_of_types = property.kind == std::decay_t<decltype(property)>::Kind::per_pair;
+    const bool per_pair_of_types = property.kind == laws::PropertyKind::per_pair;
     commands.push_back(per_pair_of_types ? per_pair(property.name, value) : scalar(property.name, value));
-  }
+  };
+  std::apply([&](const auto&... property) { (add(property), ...); }, Part::liggghts_properties);
 }
 
 /// The commands of the contact law: properties of its parts, then the pair style.

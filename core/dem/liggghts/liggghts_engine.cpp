@@ -148,7 +148,7 @@ void LiggghtsEngine::restore(const Assembly& assembly) {
   lammps.output->next = std::numeric_limits<LAMMPS_NS::bigint>::max();
   // The set-up has evaluated forces with the velocities of the full step. Restores the histories and forces of the last
   // step.
-  write_histories(lammps, assembly.contacts);
+  write_histories(lammps, settings_.material.contact_law, assembly.contacts);
   LAMMPS_NS::Atom& atom = *lammps.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
     const std::size_t k = static_cast<std::size_t>(atom.tag[i] - 1);
@@ -247,7 +247,7 @@ Assembly LiggghtsEngine::save() const {
     assembly.radius[k] = row[15];
     assembly.role[k] = role_of(static_cast<int>(row[16]));
   }
-  assembly.contacts = gather(read_histories(**instance_), instance_->communicator());
+  assembly.contacts = gather(read_histories(**instance_, settings_.material.contact_law), instance_->communicator());
   return assembly;
 }
 

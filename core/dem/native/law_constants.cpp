@@ -49,7 +49,8 @@ LawConstants<Real> with_scaled_caps(LawConstants<Real> constants, Real factor) {
   constants.time_step = 0;
   visit_law(constants.law, [&]<typename Law>(Law) {
     static_cast<typename Law::Tangential::template Constants<Real>&>(constants).scale_cap(factor);
-    static_cast<typename Law::Rolling::template Constants<Real>&>(constants).scale_cap(factor);
+    if constexpr (Law::Rolling::has_history)
+      static_cast<typename Law::Rolling::template Constants<Real>&>(constants).scale_cap(factor);
   });
   return constants;
 }

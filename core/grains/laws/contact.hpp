@@ -28,12 +28,16 @@ struct PartHistory {
 
 namespace laws {
 
+/// A list of types: the parameters of a part, the parts, the laws.
+template <typename... Items>
+struct List {};
+
 /// A parameter as LIGGGHTS takes it: `fix NAME all property/global NAME scalar VALUE`, or one value per pair of types.
+enum class PropertyKind { scalar, per_pair };
 template <typename Parameters>
 struct LiggghtsProperty {
-  enum class Kind { scalar, per_pair };
   const char* name;
-  Kind kind;
+  PropertyKind kind;
   double Parameters::*value;
 };
 

@@ -10,12 +10,12 @@
 namespace flowslide {
 
 std::string name_of(ContactLaw law) {
-  return visit_law(law, []<typename Law>(Law) { return std::string(Law::Normal::name); });
+  return visit_law(law, []<typename Law>(Law) { return std::string(Law::name); });
 }
 
 std::vector<std::string> contact_law_names() {
   std::vector<std::string> names;
-  laws::for_each_item(laws::Laws{}, [&]<typename Law>(Law) { names.emplace_back(Law::Normal::name); });
+  laws::for_each_item(laws::Laws{}, [&]<typename Law>(Law) { names.emplace_back(Law::name); });
   return names;
 }
 

@@ -3,8 +3,12 @@
 // The contact laws that `material.contact_law` selects. Register a part or a law in the two lists below; its parameters
 // then are keys of the configuration, and every engine knows it (docs/extending.md).
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "grains/laws/epsd3.hpp"
@@ -15,19 +19,24 @@
 namespace flowslide {
 namespace laws {
 
-template <typename... Items>
-struct List {};
+/// A text as an argument of a template.
+template <std::size_t size>
+struct Text {
+  char characters[size] = {};
+  consteval Text(const char (&text)[size]) { std::copy_n(text, size, characters); }
+};
 
-/// A contact law of three parts. It has the name of its normal part.
-template <typename NormalPart, typename TangentialPart, typename RollingPart>
+/// A contact law of three parts. `law_name` is its value of `material.contact_law`.
+template <Text law_name, typename NormalPart, typename TangentialPart, typename RollingPart>
 struct Law {
+  static constexpr const char* name = law_name.characters;
   using Normal = NormalPart;
   using Tangential = TangentialPart;
   using Rolling = RollingPart;
 };
 
 using Parts = List<Hertz, Linear, Sliding, Epsd3>;
-using Laws = List<Law<Hertz, Sliding, Epsd3>, Law<Linear, Sliding, Epsd3>>;
+using Laws = List<Law<"hertz", Hertz, Sliding, Epsd3>, Law<"linear", Linear, Sliding, Epsd3>>;
 
 /// Calls visit(Law) for the law number `index` of the list and returns its result.
 template <typename First, typename... Rest, typename Visit>
@@ -42,20 +51,73 @@ constexpr void for_each_item(List<Items...>, Visit&& visit) {
   (visit(Items{}), ...);
 }
 
-/// The parameters of all parts, as one base of Material.
-template <typename Items>
-struct ParametersOf;
+/// The items of both lists in their order, each once.
+template <typename Items, typename More>
+struct Union;
 template <typename... Items>
-struct ParametersOf<List<Items...>> : Items::Parameters... {
-  bool operator==(const ParametersOf&) const = default;
-  static constexpr auto fields() { return std::tuple_cat(Items::Parameters::fields()...); }
+struct Union<List<Items...>, List<>> {
+  using Type = List<Items...>;
 };
+template <typename... Items, typename First, typename... Rest>
+struct Union<List<Items...>, List<First, Rest...>>
+    : Union<std::conditional_t<(std::is_same_v<Items, First> || ...), List<Items...>, List<Items..., First>>,
+            List<Rest...>> {};
+
+/// The structs of parameters of all parts, each once: parts may share one.
+template <typename Parts, typename Found = List<>>
+struct ParametersOfParts {
+  using Type = Found;
+};
+template <typename First, typename... Rest, typename Found>
+struct ParametersOfParts<List<First, Rest...>, Found>
+    : ParametersOfParts<List<Rest...>, typename Union<Found, typename First::Parameters>::Type> {};
+
+/// These structs as one.
+template <typename Items>
+struct Joined;
+template <typename... Items>
+struct Joined<List<Items...>> : Items... {
+  bool operator==(const Joined&) const = default;
+  static constexpr auto fields() { return std::tuple_cat(Items::fields()...); }
+};
+
+/// The parameters of all parts, as one base of Material.
+template <typename Parts>
+using ParametersOf = Joined<typename ParametersOfParts<Parts>::Type>;
 
 /// Whether a part has a parameter of this name.
 template <typename Part>
 constexpr bool has_parameter(std::string_view name) {
-  return std::apply([&](const auto&... field) { return ((name == field.name) || ...); }, Part::Parameters::fields());
+  return std::apply([&](const auto&... field) { return ((name == field.name) || ...); },
+                    Joined<typename Part::Parameters>::fields());
 }
+
+template <typename... Items>
+consteval bool have_different_names(List<Items...>) {
+  const auto occurrences = [](std::string_view name) { return (0 + ... + (name == Items::name)); };
+  return ((occurrences(Items::name) == 1) && ...);
+}
+static_assert(have_different_names(Laws{}), "two laws of the list have the same name");
+
+template <typename Part, typename... Items>
+consteval bool contains(List<Items...>) {
+  return (std::is_same_v<Part, Items> || ...);
+}
+template <typename... Items>
+consteval bool have_listed_parts(List<Items...>) {
+  return ((contains<typename Items::Normal>(Parts{}) && contains<typename Items::Tangential>(Parts{}) &&
+           contains<typename Items::Rolling>(Parts{})) && ...);
+}
+static_assert(have_listed_parts(Laws{}), "add each part of a law to Parts");
+
+/// The engines leave out the tangential part of a material without sliding friction, and likewise the rolling part.
+template <typename... Items>
+consteval bool are_left_out_without_friction(List<Items...>) {
+  return ((has_parameter<typename Items::Tangential>("sliding_friction") &&
+           has_parameter<typename Items::Rolling>("rolling_friction")) && ...);
+}
+static_assert(are_left_out_without_friction(Laws{}),
+              "a tangential part has the parameter sliding_friction, and a rolling part rolling_friction");
 
 }  // namespace laws
 

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
+#include <tuple>
 
 #include "grains/fields.hpp"
 #include "grains/laws/contact.hpp"
 #include "grains/laws/lane.hpp"
+#include "grains/laws/rolling_friction.hpp"
 
 namespace flowslide::laws {
 
-/// Parameters of the part Epsd3. The paper does not give the stiffness and the damping; they follow the public input
+/// Parameters of the part Epsd3 beside mu_r. The paper does not give the stiffness and the damping; they follow the public input
 /// decks of its first author.
 struct Epsd3Parameters {
-  double rolling_friction = 0.1;          ///< mu_r
   double rolling_stiffness = 2.25;        ///< factor of k_r, >= 1
   double rolling_viscous_damping = 0.13;  ///< eta_r, fraction of critical damping
 
   bool operator==(const Epsd3Parameters&) const = default;
   static constexpr auto fields() {
     return std::tuple{
-        Field{"rolling_friction", &Epsd3Parameters::rolling_friction, "1", Bounds::not_negative()},
         Field{"rolling_stiffness", &Epsd3Parameters::rolling_stiffness, "1", Bounds::at_least(1.0)},
         Field{"rolling_viscous_damping", &Epsd3Parameters::rolling_viscous_damping, "1", Bounds::not_negative()}};
   }
@@ -35,25 +34,26 @@ static_assert(lists_every_member<Epsd3Parameters>());
 /// rotated with the contact.
 struct Epsd3 {
   static constexpr const char* liggghts_model = "epsd3";
+  static constexpr bool has_history = true;
 
-  using Parameters = Epsd3Parameters;
-  using Property = LiggghtsProperty<Parameters>;
-  static constexpr std::array liggghts_properties{
-      Property{"coefficientRollingFriction", Property::Kind::per_pair, &Parameters::rolling_friction},
-      Property{"coefficientRollingViscousDamping", Property::Kind::per_pair, &Parameters::rolling_viscous_damping},
-      Property{"rollingStiffness", Property::Kind::scalar, &Parameters::rolling_stiffness}};
+  using Parameters = List<RollingFriction, Epsd3Parameters>;
+  static constexpr std::tuple liggghts_properties{
+      LiggghtsProperty{"coefficientRollingFriction", PropertyKind::per_pair, &RollingFriction::rolling_friction},
+      LiggghtsProperty{"coefficientRollingViscousDamping", PropertyKind::per_pair,
+                       &Epsd3Parameters::rolling_viscous_damping},
+      LiggghtsProperty{"rollingStiffness", PropertyKind::scalar, &Epsd3Parameters::rolling_stiffness}};
 
   /// k_r, N m.
-  static double stiffness(const Parameters& p, const PairConstants& pair, double normal_stiffness) {
+  static double stiffness(const auto& p, const PairConstants& pair, double normal_stiffness) {
     return p.rolling_stiffness * normal_stiffness * square(p.rolling_friction) * square(pair.effective_radius);
   }
   /// The coefficient of the dashpot, N m s.
-  static double damping(const Parameters& p, const PairConstants& pair, double stiffness) {
+  static double damping(const auto& p, const PairConstants& pair, double stiffness) {
     return p.rolling_viscous_damping * (2.0 * std::sqrt(pair.rolling_inertia * stiffness));
   }
 
   /// The torque on the second grain (N m) and the new M.
-  static PartForce evaluate(const Parameters& p, const PlainContact& contact, const PartHistory& stored) {
+  static PartForce evaluate(const auto& p, const PlainContact& contact, const PartHistory& stored) {
     const Vector3 spin = contact.motion.spin_first - contact.motion.spin_second;
     const Vector3 rolling_spin = spin - spin.dot(contact.motion.normal) * contact.motion.normal;
     const double stiff = stiffness(p, contact.pair, contact.stiffness.normal);
@@ -76,7 +76,7 @@ struct Epsd3 {
   };
   /// `normal_stiffness` is the constant of the normal part: k_n = normal_stiffness s.
   template <typename Real>
-  static Constants<Real> constants(const Parameters& p, double normal_stiffness) {
+  static Constants<Real> constants(const auto& p, double normal_stiffness) {
     const double stiffness = p.rolling_stiffness * p.rolling_friction * p.rolling_friction;
     return {static_cast<Real>(p.rolling_friction), static_cast<Real>(stiffness),
             static_cast<Real>(2.0 * p.rolling_viscous_damping * std::sqrt(stiffness * normal_stiffness))};

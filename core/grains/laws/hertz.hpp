@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
 #include <tuple>
 
 #include "grains/laws/contact.hpp"
@@ -8,7 +7,7 @@
 
 namespace flowslide::laws {
 
-/// Normal part "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential stiffness without
+/// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential stiffness without
 /// slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
 /// Powder Technol. 71 (1992) 239-250.
 ///   F_n = k_n delta - gamma_n v_n, not clipped at zero
@@ -17,16 +16,10 @@ namespace flowslide::laws {
 /// With y = delta^(5/4) the normal part is a linear damped oscillator. An impact that ends at delta = 0 therefore returns
 /// exactly the fraction e of its velocity, at any velocity (T. Antypov and J. A. Elliott, EPL 94 (2011) 50004).
 struct Hertz {
-  static constexpr const char* name = "hertz";
   static constexpr const char* liggghts_model = "hertz";
 
-  /// None of its own: E, nu and e are properties of the grains.
-  struct Parameters {
-    bool operator==(const Parameters&) const = default;
-    static constexpr auto fields() { return std::tuple<>{}; }
-  };
-
-  static constexpr std::array<LiggghtsProperty<Parameters>, 0> liggghts_properties{};
+  using Parameters = List<>;  ///< E, nu and e are properties of the grains
+  static constexpr std::tuple<> liggghts_properties{};
 
   static ContactStiffness stiffness(const auto&, const PairConstants& pair, double overlap) {
     const double scale = std::sqrt(pair.effective_radius * overlap);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
+#include <tuple>
 
 #include "grains/fields.hpp"
 #include "grains/laws/contact.hpp"
@@ -20,7 +20,7 @@ struct LinearParameters {
 };
 static_assert(lists_every_member<LinearParameters>());
 
-/// Normal part "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall and O. D. L.
+/// Normal part of the law "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall and O. D. L.
 /// Strack, Geotechnique 29 (1979) 47-65). The stiffness is that of `hooke` of LIGGGHTS 3.8 (`ktToKnUser off`): two
 /// grains that meet at the characteristic velocity v_c overlap as much as those of Hertz.
 ///   F_n = k_n delta - gamma_n v_n, not clipped at zero
@@ -29,15 +29,13 @@ static_assert(lists_every_member<LinearParameters>());
 /// An impact that ends at delta = 0 returns exactly the fraction e of its velocity, and lasts
 /// pi sqrt(m* / (k_n (1 - beta^2))), both at any velocity.
 struct Linear {
-  static constexpr const char* name = "linear";
   static constexpr const char* liggghts_model = "hooke";
 
-  using Parameters = LinearParameters;
-  using Property = LiggghtsProperty<Parameters>;
-  static constexpr std::array liggghts_properties{
-      Property{"characteristicVelocity", Property::Kind::scalar, &Parameters::characteristic_velocity}};
+  using Parameters = List<LinearParameters>;
+  static constexpr std::tuple liggghts_properties{LiggghtsProperty{
+      "characteristicVelocity", PropertyKind::scalar, &LinearParameters::characteristic_velocity}};
 
-  static ContactStiffness stiffness(const Parameters& p, const PairConstants& pair, double) {
+  static ContactStiffness stiffness(const LinearParameters& p, const PairConstants& pair, double) {
     const double root = root_scale(pair.effective_radius, pair.effective_mass);
     const double normal = coefficient(p, pair) * root * root;
     const double damping = -2.0 * pair.damping * std::sqrt(normal * pair.effective_mass);
@@ -52,7 +50,7 @@ struct Linear {
   struct Constants : StiffnessConstants<Real> {};
 
   template <typename Real>
-  static Constants<Real> constants(const Parameters& p, const PairConstants& pair) {
+  static Constants<Real> constants(const LinearParameters& p, const PairConstants& pair) {
     const double normal = coefficient(p, pair);
     const auto stiffness = static_cast<Real>(normal);
     const auto damping = static_cast<Real>(-2.0 * pair.damping * std::sqrt(normal));
@@ -71,7 +69,7 @@ struct Linear {
   }
 
  private:
-  static double coefficient(const Parameters& p, const PairConstants& pair) {
+  static double coefficient(const LinearParameters& p, const PairConstants& pair) {
     const double squared = p.characteristic_velocity * p.characteristic_velocity;
     return 16.0 / 15.0 * pair.effective_modulus * std::pow(15.0 * squared / (16.0 * pair.effective_modulus), 0.2);
   }

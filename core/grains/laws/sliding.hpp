@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <array>
+#include <tuple>
 
 #include "grains/fields.hpp"
 #include "grains/laws/contact.hpp"
@@ -29,13 +29,12 @@ static_assert(lists_every_member<SlidingParameters>());
 struct Sliding {
   static constexpr const char* liggghts_model = "history";
 
-  using Parameters = SlidingParameters;
-  using Property = LiggghtsProperty<Parameters>;
-  static constexpr std::array liggghts_properties{
-      Property{"coefficientFriction", Property::Kind::per_pair, &Parameters::sliding_friction}};
+  using Parameters = List<SlidingParameters>;
+  static constexpr std::tuple liggghts_properties{
+      LiggghtsProperty{"coefficientFriction", PropertyKind::per_pair, &SlidingParameters::sliding_friction}};
 
   /// F_t (N) and the new spring. `velocity` is v_t, m/s.
-  static PartForce evaluate(const Parameters& p, const PlainContact& contact, const Vector3& velocity,
+  static PartForce evaluate(const SlidingParameters& p, const PlainContact& contact, const Vector3& velocity,
                             const PartHistory& stored) {
     const Vector3& n = contact.motion.normal;
     Vector3 spring = stored.value;
@@ -59,7 +58,7 @@ struct Sliding {
     void scale_cap(Real factor) { sliding_friction *= factor; }
   };
   template <typename Real>
-  static Constants<Real> constants(const Parameters& p) {
+  static Constants<Real> constants(const SlidingParameters& p) {
     return {static_cast<Real>(p.sliding_friction)};
   }
 

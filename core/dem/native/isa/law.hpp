@@ -55,7 +55,8 @@ FLOWSLIDE_LANE void apply_to_contact(const LawConstants<Real>& constants, Tile<R
     contact.effective_radius = t.effective_radius[k];
     contact.root_rolling_inertia = t.root_rolling_inertia[k];
     contact.relative_spin = components_at(t.relative_spin, k);
-    Components<Real> torque = components_at(t.rolling_torque, k);
+    Components<Real> torque;  // of a part without history: 0, also after a change of the law
+    if constexpr (Law::Rolling::has_history) torque = components_at(t.rolling_torque, k);
     rolling = Law::Rolling::torque(constants.template of<typename Law::Rolling>(), normal_part, contact, bound, torque);
     put(torque, t.rolling_torque, k);
   }
