@@ -24,6 +24,28 @@ TEST(ContactLaws, UseTheParametersOfTheirPartsAndOfTheGrains) {
   EXPECT_TRUE(uses_parameter(ContactLaw::hertz, "density"));
 }
 
+/// A rolling part that shares its only parameter with Epsd3.
+struct OtherRolling {
+  using Parameters = laws::List<laws::RollingFriction>;
+};
+
+TEST(ContactLaws, PartsMayShareAParameter) {
+  using Both = laws::ParametersOf<laws::List<laws::Epsd3, OtherRolling>>;
+  EXPECT_EQ(std::tuple_size_v<decltype(Both::fields())>, 3u);
+  EXPECT_EQ(text_of_fields(Both{}),
+            "rolling_friction = 0.1\nrolling_stiffness = 2.25\nrolling_viscous_damping = 0.13\n");
+  EXPECT_TRUE(laws::has_parameter<OtherRolling>("rolling_friction"));
+  EXPECT_FALSE(laws::has_parameter<OtherRolling>("rolling_stiffness"));
+}
+
+TEST(ContactLaws, OfTheSamePartsHaveDifferentNames) {
+  using laws::Epsd3, laws::Hertz, laws::Law, laws::List, laws::Sliding;
+  using First = Law<"first", Hertz, Sliding, Epsd3>;
+  EXPECT_STREQ(First::name, "first");
+  EXPECT_TRUE(laws::have_different_names(List<First, Law<"second", Hertz, Sliding, Epsd3>>{}));
+  EXPECT_FALSE(laws::have_different_names(List<First, Law<"first", Hertz, Sliding, OtherRolling>>{}));
+}
+
 TEST(ContactLaws, TheTextOfAMaterialNamesItsLaw) {
   EXPECT_NE(text_of_fields(Material{}).find("contact_law = hertz\n"), std::string::npos);
 }
