@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
-// What the parts of a contact law read and return in their plain form, which step_contact and stored_contact compose (grains/contact_law.hpp).
+// What the parts of a contact law read and return in their plain form, which step_contact and stored_contact compose
+// (grains/contact_law.hpp).
 #pragma once
 #include <Eigen/Geometry>
 #include <cmath>

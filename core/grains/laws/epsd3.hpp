@@ -9,8 +9,8 @@
 
 namespace flowslide::laws {
 
-/// Parameters of the part Epsd3 beside mu_r. The paper does not give the stiffness and the damping; they follow the public input
-/// decks of its first author.
+/// Parameters of the part Epsd3 beside mu_r. The paper does not give the stiffness and the damping; they follow the
+/// public input decks of its first author.
 struct Epsd3Parameters {
   double rolling_stiffness = 2.25;        ///< factor of k_r, >= 1
   double rolling_viscous_damping = 0.13;  ///< eta_r, fraction of critical damping
