@@ -42,8 +42,8 @@ ContactForce step_contact(const Material& material, const PairConstants& pair, c
 
 /// Force and torques of histories that were stored at the end of a step. s and M are not changed, because both are
 /// capped already. The caps of the histories state whether the contact slides and rolls. If they are unknown,
-/// k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its cap then acts
-/// with the cap.
+/// k_t |s| >= (1 - cap_tolerance) mu |F_n| counts as sliding, and likewise for rolling; a spring beyond its cap then
+/// acts with the cap.
 ContactForce stored_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                             const ContactHistories& histories);
 

@@ -7,14 +7,14 @@
 
 namespace flowslide::laws {
 
-/// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential stiffness without
-/// slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
+/// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential
+/// stiffness without slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
 /// Powder Technol. 71 (1992) 239-250.
 ///   F_n = k_n delta - gamma_n v_n, not clipped at zero
 ///   k_n = 4/3 Y* sqrt(R* delta),  S_n = 2 Y* sqrt(R* delta),  gamma_n = -2 sqrt(5/6) beta sqrt(S_n m*)
 ///   k_t = 8 G* sqrt(R* delta),                               gamma_t = -2 sqrt(5/6) beta sqrt(k_t m*)
-/// With y = delta^(5/4) the normal part is a linear damped oscillator. An impact that ends at delta = 0 therefore returns
-/// exactly the fraction e of its velocity, at any velocity (T. Antypov and J. A. Elliott, EPL 94 (2011) 50004).
+/// With y = delta^(5/4) the normal part is a linear damped oscillator. An impact that ends at delta = 0 therefore
+/// returns exactly the fraction e of its velocity, at any velocity (T. Antypov and J. A. Elliott, EPL 94 (2011) 50004).
 struct Hertz {
   static constexpr const char* liggghts_model = "hertz";
 
