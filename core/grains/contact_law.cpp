@@ -11,14 +11,21 @@ Vector3 sliding_velocity(const ContactKinematics& motion, double lever_first, do
   return v - (lever_first * motion.spin_first + lever_second * motion.spin_second).cross(n);
 }
 
+/// F_n, N, at the separation velocity v_n (m/s). Not a number stays what it is.
+double normal_force_of(const laws::NormalForceLimit& limit, const laws::ContactStiffness& stiffness, double overlap,
+                       double separation_velocity) {
+  const double force = stiffness.normal * overlap - stiffness.normal_damping * separation_velocity;
+  return limit.normal_force_limited && force < 0.0 ? 0.0 : force;
+}
+
 ContactForce evaluate(const Material& material, laws::PlainContact contact, const ContactHistories& histories) {
   const ContactKinematics& motion = contact.motion;
   const Vector3& n = motion.normal;
   const double lever_first = contact.pair.radius_first - 0.5 * motion.overlap;
   const double lever_second = contact.pair.radius_second - 0.5 * motion.overlap;
   contact.stiffness = contact_stiffness(material, contact.pair, motion.overlap);
-  contact.normal_force = contact.stiffness.normal * motion.overlap -
-                         contact.stiffness.normal_damping * motion.relative_velocity.dot(n);
+  contact.normal_force =
+      normal_force_of(material, contact.stiffness, motion.overlap, motion.relative_velocity.dot(n));
   const Vector3 velocity = sliding_velocity(motion, lever_first, lever_second);
   return visit_law(material.contact_law, [&]<typename Law>(Law) {
     const auto tangential = Law::Tangential::evaluate(material, contact, velocity, histories.tangential_spring);
@@ -45,8 +52,7 @@ laws::ContactStiffness contact_stiffness(const Material& material, const PairCon
 }
 
 double normal_force(const Material& material, const PairConstants& pair, double overlap, double separation_velocity) {
-  const laws::ContactStiffness stiffness = contact_stiffness(material, pair, overlap);
-  return stiffness.normal * overlap - stiffness.normal_damping * separation_velocity;
+  return normal_force_of(material, contact_stiffness(material, pair, overlap), overlap, separation_velocity);
 }
 
 ContactForce step_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,

@@ -4,8 +4,8 @@
 #include "grains/material.hpp"
 #include "grains/pair_constants.hpp"
 
-/// The contact law in plain form, composed of the parts in grains/laws: the law of LIGGGHTS 3.8 (`limitForce off`,
-/// `tangential_damping on`) that `material.contact_law` names. The native engine steps the grains with the lane form of
+/// The contact law in plain form, composed of the parts in grains/laws: the law of LIGGGHTS 3.8 (`tangential_damping
+/// on`) that `material.contact_law` names. The native engine steps the grains with the lane form of
 /// the same parts, beside the plain form in the same headers.
 namespace flowslide {
 
@@ -16,7 +16,7 @@ struct ContactForce {
   Vector3 torque_on_second = Vector3::Zero();    ///< N m, likewise
   Vector3 tangential_spring = Vector3::Zero();   ///< m, of the first relative to the second
   Vector3 rolling_torque = Vector3::Zero();      ///< N m, of the spring alone; its negative acts on the first
-  double normal = 0.0;                           ///< F_n, N, repulsion positive; the dashpot may make it negative
+  double normal = 0.0;                           ///< F_n, N, repulsion positive; below 0 only without limit
   bool sliding = false;                          ///< the tangential force is at the Coulomb cap
   bool rolling = false;                          ///< the rolling torque is at its cap
 };
@@ -24,7 +24,8 @@ struct ContactForce {
 /// Springs and dashpots of the law at this overlap (m).
 laws::ContactStiffness contact_stiffness(const Material& material, const PairConstants& pair, double overlap);
 
-/// F_n = k_n delta - gamma_n v_n, N, with v_n the separation velocity (m/s) along n.
+/// F_n = k_n delta - gamma_n v_n, N, with v_n the separation velocity (m/s) along n, and at least 0 if the material has
+/// `normal_force_limited`.
 double normal_force(const Material& material, const PairConstants& pair, double overlap, double separation_velocity);
 
 /// Histories of a contact: s (m) of the tangential part and M (N m) of the rolling part.
@@ -47,7 +48,7 @@ ContactForce step_contact(const Material& material, const PairConstants& pair, c
 ContactForce stored_contact(const Material& material, const PairConstants& pair, const ContactKinematics& motion,
                             const ContactHistories& histories);
 
-/// Force (N, repulsion positive, not clipped) of a frictionless plane of the same material on a sphere of `radius` (m)
+/// Force (N, repulsion positive) of a frictionless plane of the same material on a sphere of `radius` (m)
 /// and `mass` (kg): the normal part with R* = R and m* = m. `approach_velocity` (m/s) is positive when the overlap (m)
 /// grows.
 double plane_normal_force(const Material& material, double radius, double mass, double overlap,

@@ -3,9 +3,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "grains/contact_law.hpp"
@@ -22,6 +23,7 @@ struct Spring {
   double lever_first = 0.0, lever_second = 0.0;  // m
   double along = 0.0, across = 0.0;              // on translation along and across the normal, kg
   double rolling = 0.0;                          // on rotation, kg m^2
+  double free_torsion = 0.0;                     // share of the rotation about the normal that is not resisted
 };
 
 double step_action(double stiffness, double damping, double time_step) {
@@ -30,15 +32,15 @@ double step_action(double stiffness, double damping, double time_step) {
 
 Spring spring_of(const Material& material, const PairConstants& pair, double overlap, double time_step) {
   const laws::ContactStiffness stiffness = contact_stiffness(material, pair, overlap);
-  const auto [rolling, rolling_damping] = visit_law(material.contact_law, [&]<typename Law>(Law) {
-    const double spring = Law::Rolling::stiffness(material, pair, stiffness.normal);
-    return std::pair(spring, Law::Rolling::damping(material, pair, spring));
-  });
   Spring spring;
+  visit_law(material.contact_law, [&]<typename Law>(Law) {
+    const double rolling = Law::Rolling::stiffness(material, pair, stiffness.normal);
+    spring.rolling = step_action(rolling, Law::Rolling::damping(material, pair, rolling), time_step);
+    spring.free_torsion = Law::Rolling::free_torsion(material);
+  });
   spring.along = step_action(stiffness.loading, stiffness.normal_damping, time_step);
   if (material.sliding_friction > 0.0)
     spring.across = step_action(stiffness.tangential, stiffness.tangential_damping, time_step);
-  spring.rolling = step_action(rolling, rolling_damping, time_step);
   return spring;
 }
 
@@ -98,7 +100,7 @@ class Network {
     const Vector3 force = s.along * along + s.across * slip;
     const Vector3 arm = s.normal.cross(s.across * slip);
     const Vector3 turn = turn_first - turn_second;
-    const Vector3 rolling = s.rolling * (turn - turn.dot(s.normal) * s.normal);
+    const Vector3 rolling = s.rolling * (turn - s.free_torsion * turn.dot(s.normal) * s.normal);
     result.segment<3>(i) += mass_[s.first] * force;
     result.segment<3>(j) -= mass_[s.second] * force;
     result.segment<3>(i + 3) += inertia_[s.first] * (rolling - s.lever_first * arm);
@@ -156,6 +158,11 @@ double largest_eigenvalue(const Network& network, int iterations) {
 double time_step_share(const Assembly& assembly, const Material& material, double time_step, int iterations) {
   const Network network(assembly, material, time_step);
   return network.empty() ? 0.0 : 0.25 * largest_eigenvalue(network, iterations);
+}
+
+double time_step_below_edge(double time_step, double share) {
+  if (share == 0.0) return std::numeric_limits<double>::infinity();
+  return time_step / std::max(share, std::sqrt(share));
 }
 
 double time_step_at_edge(double time_step, double share) { return time_step / std::pow(share, 0.6); }

@@ -22,6 +22,10 @@ namespace flowslide {
 /// iteration. Returns 0 without contacts.
 double time_step_share(const Assembly& assembly, const Material& material, double time_step, int iterations = 14);
 
+/// A time step (s) that is stable: the lower one of the two limits of time_step_at_edge. With `share` below 1 it is
+/// dt/sqrt(share). Infinite at a share of 0.
+double time_step_below_edge(double time_step, double share);
+
 /// Estimate of the longest stable time step (s), from `time_step` (s) and its time_step_share: dt/share^0.6. It is
 /// between the limits without damping, dt/sqrt(share), and with damping alone, dt/share.
 double time_step_at_edge(double time_step, double share);

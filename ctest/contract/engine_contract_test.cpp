@@ -272,6 +272,7 @@ TEST_P(EngineContract, ChangedSettingsHoldFromTheNextStep) {
 }
 
 void change(double& value) { value *= 1.1; }
+void change(bool& value) { value = !value; }
 void change(DragReference& reference) { reference = DragReference::uniform_compression; }
 
 /// Settings with one field changed, by its name: a number is a tenth larger. The contact law is each of the others.
@@ -298,7 +299,10 @@ double largest_difference_of_velocity(const Assembly& a, const Assembly& b) {
 }
 
 TEST_P(EngineContract, EveryFieldOfTheSettingsActsHoweverItIsSet) {
-  const Assembly start = sheared();
+  Assembly start = sheared();
+  constexpr std::size_t in_layer = 36;
+  for (std::size_t i = 0; i < start.size(); ++i)  // layers then part so fast that the dashpot pulls
+    if (start.role[i] == Role::mobile) start.velocity[i].z() += (i / in_layer) % 2 == 0 ? 0.5 : -0.5;
   const BoundaryMotion motion{Vector3::Zero(), {0.5, 0.0, -0.01}, 0.0, 0.0};
   const auto run = [&](const EngineSettings& loaded, const EngineSettings& set_later) {
     auto e = engine();

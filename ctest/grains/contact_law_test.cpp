@@ -10,6 +10,7 @@
 
 #include "hertz_contact_time.hpp"
 #include "random_assembly.hpp"
+#include "support/contact_switches.hpp"
 
 namespace flowslide {
 namespace {
@@ -58,6 +59,21 @@ TEST_F(ContactLaw, NormalForceIsHertzPlusDashpot) {
   motion.normal = -z;
   motion.relative_velocity = 0.1 * z;  // approaching along the other axis
   expect_near(step(zero, zero, 1.0).on_first, -0.75 * z, rounding);
+}
+
+TEST_F(ContactLaw, ALimitedNormalForceIsZeroWhereTheDashpotWouldPull) {
+  material.normal_force_limited = true;
+  motion.relative_velocity = 0.1 * x;  // the spring exceeds the dashpot
+  EXPECT_NEAR(step(zero, zero, 1.0).normal, 0.25, rounding);
+  motion.relative_velocity = 1.0 * x + 0.1 * y;
+  const ContactForce force = step(0.01 * y, 0.1 * z, 1.0);
+  EXPECT_EQ(force.normal, 0.0);
+  expect_near(force.on_first, zero, rounding);  // the caps are 0 as well
+  expect_near(force.tangential_spring, zero, rounding);
+  expect_near(force.torque_on_first, zero, rounding);
+  expect_near(force.rolling_torque, zero, rounding);
+  motion.relative_velocity.x() = std::nan("");
+  EXPECT_TRUE(std::isnan(step(zero, zero, 1.0).normal));
 }
 
 TEST_F(ContactLaw, HertzForceGrowsWithThePowerThreeHalves) {
@@ -154,6 +170,18 @@ TEST_F(ContactLaw, TorsionHasNoTorqueAndStoredTorqueIsNotProjected) {
   expect_near(step(zero, 0.1 * x, 1.0).rolling_torque, 0.1 * x, rounding);
 }
 
+TEST_F(ContactLaw, ResistedTorsionActsAsRolling) {
+  material.torsion_resistance = true;
+  motion.spin_first = 0.02 * x + 0.02 * z;
+  motion.spin_second = -0.02 * x - 0.02 * z;
+  const ContactForce force = step(zero, zero, 3.0);
+  EXPECT_FALSE(force.rolling);
+  expect_near(force.rolling_torque, 0.06 * (x + z), rounding);
+  const double dashpot = 0.5 * 2.0 * std::sqrt(3.5) * 0.04;
+  expect_near(force.torque_on_second, (0.06 + dashpot) * (x + z), rounding);
+  EXPECT_TRUE(step(zero, 0.3 * x, 1.0).rolling);  // one cap of 1/4 for both
+}
+
 TEST_F(ContactLaw, AStoredHistoryIsAtItsCapWhereItsEngineSaysSo) {
   motion.relative_velocity = 0.01 * y;
   const auto known = [&](double length, Cap cap) {
@@ -196,6 +224,7 @@ struct RandomContact {
   explicit RandomContact(std::mt19937_64& generator) {
     using testing::uniform;
     using testing::uniform_vector;
+    material = with_all_switches({})[generator() % 4];
     pair = pair_constants(material, uniform(generator, 2.5e-3, 3.75e-3), uniform(generator, 2.5e-3, 3.75e-3));
     motion.normal = uniform_vector(generator, 1.0).normalized();
     motion.overlap = std::pow(10.0, uniform(generator, -9.0, -4.5));

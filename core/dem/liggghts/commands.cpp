@@ -38,6 +38,18 @@ void add_properties(const Material& material, std::vector<std::string>& commands
   std::apply([&](const auto&... property) { (add(property), ...); }, Part::liggghts_properties);
 }
 
+/// The settings of a part of the law in the pair style.
+template <typename Part>
+std::string switches(const Material& material) {
+  std::string settings;
+  const auto add = [&](const auto& setting) {
+    settings += fmt::format(" {} {}", setting.name, material.*setting.value ? "on" : "off");
+  };
+  if constexpr (requires { Part::liggghts_switches; })
+    std::apply([&](const auto&... setting) { (add(setting), ...); }, Part::liggghts_switches);
+  return settings;
+}
+
 /// The commands of the contact law: properties of its parts, then the pair style.
 std::vector<std::string> law_commands(const Material& material) {
   return visit_law(material.contact_law, [&]<typename Law>(Law) {
@@ -47,7 +59,9 @@ std::vector<std::string> law_commands(const Material& material) {
     add_properties<typename Law::Rolling>(material, commands);
     commands.push_back(fmt::format("pair_style gran model {} tangential {} rolling_friction {}",
                                    Law::Normal::liggghts_model, Law::Tangential::liggghts_model,
-                                   Law::Rolling::liggghts_model));
+                                   Law::Rolling::liggghts_model) +
+                       switches<typename Law::Normal>(material) + switches<typename Law::Tangential>(material) +
+                       switches<typename Law::Rolling>(material));
     return commands;
   });
 }

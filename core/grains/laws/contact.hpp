@@ -42,6 +42,13 @@ struct LiggghtsProperty {
   double Parameters::*value;
 };
 
+/// A setting of a model of LIGGGHTS: `NAME on` or `NAME off` in the pair style.
+template <typename Parameters>
+struct LiggghtsSwitch {
+  const char* name;
+  bool Parameters::*value;
+};
+
 /// Stiffnesses and dashpots of a contact at its present overlap.
 struct ContactStiffness {
   double normal = 0.0;              ///< k_n = F_n / delta without dashpot, N/m

@@ -4,13 +4,14 @@
 
 #include "grains/laws/contact.hpp"
 #include "grains/laws/lane.hpp"
+#include "grains/laws/normal_force_limit.hpp"
 
 namespace flowslide::laws {
 
 /// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential
 /// stiffness without slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
 /// Powder Technol. 71 (1992) 239-250.
-///   F_n = k_n delta - gamma_n v_n, not clipped at zero
+///   F_n = k_n delta - gamma_n v_n; below 0 see NormalForceLimit
 ///   k_n = 4/3 Y* sqrt(R* delta),  S_n = 2 Y* sqrt(R* delta),  gamma_n = -2 sqrt(5/6) beta sqrt(S_n m*)
 ///   k_t = 8 G* sqrt(R* delta),                               gamma_t = -2 sqrt(5/6) beta sqrt(k_t m*)
 /// With y = delta^(5/4) the normal part is a linear damped oscillator. An impact that ends at delta = 0 therefore
@@ -18,8 +19,9 @@ namespace flowslide::laws {
 struct Hertz {
   static constexpr const char* liggghts_model = "hertz";
 
-  using Parameters = List<>;  ///< E, nu and e are properties of the grains
+  using Parameters = List<NormalForceLimit>;  ///< E, nu and e are properties of the grains
   static constexpr std::tuple<> liggghts_properties{};
+  static constexpr std::tuple liggghts_switches{limit_force};
 
   static ContactStiffness stiffness(const auto&, const PairConstants& pair, double overlap) {
     const double scale = std::sqrt(pair.effective_radius * overlap);
@@ -40,12 +42,13 @@ struct Hertz {
 
   /// `pair` is any pair of the material: moduli and damping do not depend on the radii. s = sqrt(R* delta), m.
   template <typename Real>
-  static Constants<Real> constants(const auto&, const PairConstants& pair) {
+  static Constants<Real> constants(const auto& p, const PairConstants& pair) {
     const double tangential = 8.0 * pair.effective_shear_modulus, dashpot = dashpot_coefficient(pair);
     return {{.normal = static_cast<Real>(4.0 / 3.0 * pair.effective_modulus),
              .normal_damping = static_cast<Real>(dashpot * std::sqrt(2.0 * pair.effective_modulus)),
              .tangential = static_cast<Real>(tangential),
-             .tangential_damping = static_cast<Real>(dashpot * std::sqrt(tangential))}};
+             .tangential_damping = static_cast<Real>(dashpot * std::sqrt(tangential)),
+             .lowest_force = lowest_force<Real>(p)}};
   }
 
   /// The scale changes with the overlap.

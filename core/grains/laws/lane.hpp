@@ -27,14 +27,16 @@ template <typename Real>
 struct StiffnessConstants {
   Real normal, normal_damping;
   Real tangential, tangential_damping;
+  Real lowest_force;  ///< F_n is not below this, N: 0, or the lowest number
 };
 
-/// F_n = k_n delta - gamma_n v_n, N.
+/// F_n = k_n delta - gamma_n v_n, N, or `lowest_force` if that is larger. Not a number stays what it is.
 template <typename Real>
 FLOWSLIDE_LANE Real spring_and_dashpot(const StiffnessConstants<Real>& c, const Lane<Real>& contact) {
-  return difference_of_products(c.normal * contact.scale, contact.overlap,
-                                c.normal_damping * (contact.root_scale * contact.root_effective_mass),
-                                contact.separation_velocity);
+  const Real force = difference_of_products(c.normal * contact.scale, contact.overlap,
+                                            c.normal_damping * (contact.root_scale * contact.root_effective_mass),
+                                            contact.separation_velocity);
+  return force < c.lowest_force ? c.lowest_force : force;
 }
 
 }  // namespace flowslide::laws

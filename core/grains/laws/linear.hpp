@@ -5,6 +5,7 @@
 #include "grains/fields.hpp"
 #include "grains/laws/contact.hpp"
 #include "grains/laws/lane.hpp"
+#include "grains/laws/normal_force_limit.hpp"
 
 namespace flowslide::laws {
 
@@ -23,7 +24,7 @@ static_assert(lists_every_member<LinearParameters>());
 /// Normal part of the law "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall
 /// and O. D. L. Strack, Geotechnique 29 (1979) 47-65). The stiffness is that of `hooke` of LIGGGHTS 3.8 (`ktToKnUser off`): two
 /// grains that meet at the characteristic velocity v_c overlap as much as those of Hertz.
-///   F_n = k_n delta - gamma_n v_n, not clipped at zero
+///   F_n = k_n delta - gamma_n v_n; below 0 see NormalForceLimit
 ///   k_n = 16/15 sqrt(R*) Y* (15 m* v_c^2 / (16 sqrt(R*) Y*))^(1/5),  gamma_n = -2 beta sqrt(k_n m*)
 ///   k_t = k_n,                                                       gamma_t = gamma_n
 /// An impact that ends at delta = 0 returns exactly the fraction e of its velocity, and lasts
@@ -31,11 +32,12 @@ static_assert(lists_every_member<LinearParameters>());
 struct Linear {
   static constexpr const char* liggghts_model = "hooke";
 
-  using Parameters = List<LinearParameters>;
+  using Parameters = List<NormalForceLimit, LinearParameters>;
   static constexpr std::tuple liggghts_properties{LiggghtsProperty{
       "characteristicVelocity", PropertyKind::scalar, &LinearParameters::characteristic_velocity}};
+  static constexpr std::tuple liggghts_switches{limit_force};
 
-  static ContactStiffness stiffness(const LinearParameters& p, const PairConstants& pair, double) {
+  static ContactStiffness stiffness(const auto& p, const PairConstants& pair, double) {
     const double root = root_scale(pair.effective_radius, pair.effective_mass);
     const double normal = coefficient(p, pair) * root * root;
     const double damping = -2.0 * pair.damping * std::sqrt(normal * pair.effective_mass);
@@ -50,11 +52,15 @@ struct Linear {
   struct Constants : StiffnessConstants<Real> {};
 
   template <typename Real>
-  static Constants<Real> constants(const LinearParameters& p, const PairConstants& pair) {
+  static Constants<Real> constants(const auto& p, const PairConstants& pair) {
     const double normal = coefficient(p, pair);
     const auto stiffness = static_cast<Real>(normal);
     const auto damping = static_cast<Real>(-2.0 * pair.damping * std::sqrt(normal));
-    return {{.normal = stiffness, .normal_damping = damping, .tangential = stiffness, .tangential_damping = damping}};
+    return {{.normal = stiffness,
+             .normal_damping = damping,
+             .tangential = stiffness,
+             .tangential_damping = damping,
+             .lowest_force = lowest_force<Real>(p)}};
   }
 
   /// The scale of a pair is s = (R*^2 m*)^(1/5), so that k_n = coefficient s.

@@ -47,6 +47,17 @@ TEST(Commands, KeepEveryDigitOfTheSettings) {
   }
 }
 
+TEST(Commands, NameTheSwitchesOfTheLaw) {
+  EngineSettings settings;
+  const auto style = [&] { return command_that_starts(setup_commands(touching_lattice(), settings), "pair_style"); };
+  const std::string models = "pair_style gran model hertz tangential history rolling_friction epsd3 ";
+  EXPECT_EQ(style(), models + "limitForce off torsionTorque off");
+  settings.material.torsion_resistance = true;
+  EXPECT_EQ(style(), models + "limitForce off torsionTorque on");
+  settings.material.normal_force_limited = true;
+  EXPECT_EQ(style(), models + "limitForce on torsionTorque on");
+}
+
 TEST(Commands, LeaveRoomBeyondPlanesAndNoneBeyondPeriods) {
   Assembly assembly = touching_lattice();
   assembly.cell.lower = {0.0, 0.0, 0.0};

@@ -8,18 +8,19 @@
 #include "dem/native/passes.hpp"
 #include "grains/contact_law.hpp"
 #include "support/clustered_cloud.hpp"
+#include "support/contact_switches.hpp"
 
 namespace flowslide::native {
 
 constexpr double pass_step = 1e-6;  // s
 
-/// One material for each contact law and variant.
+/// One material for each contact law with each of its switches, and for each variant.
 inline std::vector<Material> materials() {
   std::vector<Material> all;
   for (const std::string& name : contact_law_names()) {
     Material m;
     m.contact_law = contact_law_of(name);
-    all.push_back(m);
+    for (const Material& switched : with_all_switches(m)) all.push_back(switched);
     m.rolling_friction = 0.0;
     all.push_back(m);
     m.sliding_friction = 0.0;
