@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
-#include <string>
-#include <vector>
+#include "grains/choice.hpp"
 
 namespace flowslide {
 
@@ -11,13 +10,10 @@ enum class DragReference {
   uniform_compression  ///< u(x) is the affine velocity field of the moving boundaries at the grain, see UniformFlow
 };
 
-/// "rest" or "uniform compression".
-std::string name_of(DragReference reference);
-
-/// All names.
-std::vector<std::string> drag_reference_names();
-
-/// The reference with this name. Throws std::invalid_argument for another name; the message gives the allowed names.
-DragReference drag_reference_of(const std::string& name);
+template <>
+struct ChoiceNames<DragReference> {
+  static constexpr const char* what = "the drag reference";
+  static constexpr std::array names{"rest", "uniform compression"};
+};
 
 }  // namespace flowslide

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "grains/choice.hpp"
+
 namespace flowslide {
 
 /// The allowed values of a number, in SI units. NaN and infinity are never allowed.
@@ -84,7 +86,8 @@ void for_each_leaf(Owner& owner, Visit&& visit, const std::string& prefix = "") 
   });
 }
 
-/// The shortest text that restores the same number; "true" or "false" for a flag; the number of an enumerator.
+/// The shortest text that restores the same number; "true" or "false" for a flag; the name of a choice, or else the
+/// number of an enumerator.
 std::string field_text(double value);
 std::string field_text(std::int64_t value);
 std::string field_text(std::uint64_t value);
@@ -92,7 +95,10 @@ std::string field_text(bool value);
 inline std::string field_text(int value) { return field_text(std::int64_t{value}); }
 template <typename Enum>
 requires std::is_enum_v<Enum> std::string field_text(Enum value) {
-  return field_text(static_cast<std::int64_t>(value));
+  if constexpr (Choice<Enum>)
+    return name_of(value);
+  else
+    return field_text(static_cast<std::int64_t>(value));
 }
 /// The elements, separated by blanks.
 template <typename T, std::size_t size>

@@ -41,10 +41,6 @@ void read_value(const Tables& tables, const FieldKey& key, ContactLaw& value) {
   value = contact_law_of(tables.text(key.name, contact_law_names()));
 }
 
-void read_value(const Tables& tables, const FieldKey& key, DragReference& value) {
-  value = drag_reference_of(tables.text(key.name, drag_reference_names()));
-}
-
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values) {
   take_three(tables, key, tables.quantities(key.name, key.dimension(), key.range()), values);
 }

@@ -28,9 +28,13 @@ void read_value(const Tables& tables, const FieldKey& key, int& value);
 void read_value(const Tables& tables, const FieldKey& key, std::int64_t& value);
 void read_value(const Tables& tables, const FieldKey& key, bool& value);
 void read_value(const Tables& tables, const FieldKey& key, ContactLaw& value);
-void read_value(const Tables& tables, const FieldKey& key, DragReference& value);
 void read_value(const Tables& tables, const FieldKey& key, std::array<double, 3>& values);
 void read_value(const Tables& tables, const FieldKey& key, std::array<int, 3>& values);
+
+template <Choice Enum>
+void read_value(const Tables& tables, const FieldKey& key, Enum& value) {
+  value = choice_of<Enum>(tables.text(key.name, choice_names<Enum>()));
+}
 
 /// Throws std::logic_error unless `fields` contains each of `names`.
 void require_names(std::initializer_list<const char*> names, std::initializer_list<const char*> fields);
