@@ -32,7 +32,7 @@ do for [format in "png pdf"] {
   set format y "%.2f"
   set key bottom right reverse Left title lines_are
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column("preparation_friction"))): \
-         (column("initial_bulk_void_ratio")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
+         (column("initial_probe_void_ratio")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb colour[(i - 1) % 6 + 1] title word(lines, i)
 
   unset key
   set xtics 0.04
@@ -44,7 +44,7 @@ do for [format in "png pdf"] {
   set label 1 "pulse of 3 kPa" at graph 0.02, first pulse left offset 0, -0.7
   set title panel("B", "strength over void ratio")
   set xlabel "void ratio {/:Italic e}"
-  plot for [i = 1:words(lines)] map using (of(word(lines, i), column("initial_bulk_void_ratio"))):(kilo * column(peak)) \
+  plot for [i = 1:words(lines)] map using (of(word(lines, i), column("initial_probe_void_ratio"))):(kilo * column(peak)) \
          with points pointtype 7 pointsize 0.6 linecolor rgb colour[(i - 1) % 6 + 1]
   set title panel("C", "strength over contacts")
   set xlabel "coordination number without rattlers"

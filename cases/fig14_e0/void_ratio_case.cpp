@@ -49,7 +49,7 @@ void VoidRatioCase::finish(const OutputFolder& output) const {
   const Column axis{"paper_void_ratio", "e_0", "1", "void ratio of the sample in the paper", "", {}};
   write_sweep(output, description().name, results_in(output.path(), points_in(output)),
               {axis,
-               {"initial_void_ratio", "initial_bulk_void_ratio", "peak_shear_stress", "largest_velocity", "runout"},
+               {"initial_void_ratio", "initial_probe_void_ratio", "peak_shear_stress", "largest_velocity", "runout"},
                [](double void_ratio) { return fmt::format("{:.3f}", void_ratio); }});
 }
 

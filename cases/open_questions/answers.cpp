@@ -91,7 +91,7 @@ std::string answers_table(const Ensembles& slides) {
         spread(values(slides, kind + "_homogeneous", metric), factor));
   };
   row("grains", number_of_grains(slides, "pulse_glued"), number_of_grains(slides, "pulse_homogeneous"));
-  of_both("e_0, bulk", "hold", "initial_bulk_void_ratio");
+  of_both("e_0, probe", "hold", "initial_probe_void_ratio");
   of_both("R^2 of the velocity profile at 10 % strain", "hold", "linearity_2");
   row("R^2 at 30 and 60 % strain, liquefied", spread(liquefied_linearities(slides, "hold_glued")),
       spread(liquefied_linearities(slides, "hold_homogeneous")));

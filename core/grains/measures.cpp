@@ -49,6 +49,11 @@ double void_ratio_of_bulk(const Assembly& assembly, double margin) {
   return (cell.area() * (top - bottom) - solid) / solid;
 }
 
+double probe_void_ratio(const Assembly& assembly) {
+  constexpr double outer_share = 0.075;
+  return void_ratio_of_bulk(assembly, outer_share * assembly.cell.height());
+}
+
 double inertial_number(double shear_rate, double mean_diameter, double density, double pressure) {
   return shear_rate * inertial_time(mean_diameter, density, pressure);
 }

@@ -27,14 +27,14 @@ double largest(const std::vector<Metric>& metrics, const std::string& name) {
 }  // namespace
 
 std::string health_line(const std::vector<Metric>& metrics) {
-  const auto void_ratio = value_of(metrics, "initial_void_ratio"), inner = value_of(metrics, "initial_bulk_void_ratio");
+  const auto void_ratio = value_of(metrics, "initial_void_ratio");
+  const auto probe = value_of(metrics, "initial_probe_void_ratio");
   const auto contacts = value_of(metrics, "mechanical_coordination_number");
-  if (!void_ratio || !inner || !contacts) return "";
+  if (!void_ratio || !probe || !contacts) return "";
   return fmt::format(
-      "e0 {:.4f} (inner {:.4f}), slices +-{:.3f}, seam {:.3f}, order {:.3f}, contacts {:.2f}, rattlers {:.1f} %, "
-      "fabric "
-      "{:.3f}",
-      *void_ratio, *inner, largest(metrics, "void_ratio_spread"), largest(metrics, "seam"),
+      "e0 {:.4f} (probe {:.4f}), slices +-{:.3f}, seam {:.3f}, order {:.3f}, contacts {:.2f}, rattlers {:.1f} %, "
+      "fabric {:.3f}",
+      *void_ratio, *probe, largest(metrics, "void_ratio_spread"), largest(metrics, "seam"),
       largest(metrics, "middle_order"), *contacts, 100.0 * value_of(metrics, "rattler_share").value_or(0.0),
       value_of(metrics, "fabric_anisotropy").value_or(0.0));
 }

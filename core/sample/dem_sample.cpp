@@ -13,7 +13,9 @@
 
 #include "grains/bulk_mean_stress.hpp"
 #include "grains/require.hpp"
+#include "grains/time_step_share.hpp"
 #include "sample/health.hpp"
+#include "sample/stable_time_step.hpp"
 
 namespace flowslide {
 namespace {
@@ -36,6 +38,11 @@ CellStress stress_in(const SampleState& state, const std::string& prefix) {
   CellStress stress;
   for (const auto& [name, part] : stress_parts) stress.*part = state.number(prefix + name);
   return stress;
+}
+
+/// Whether the time step of the settings is stable for these contacts.
+bool is_stable(const Assembly& assembly, const EngineSettings& settings) {
+  return time_step_share(assembly, settings.material, settings.time_step) < 1.0;
 }
 
 /// Throws std::invalid_argument if the pointer is empty.
@@ -92,16 +99,19 @@ std::string difference(const SampleState& state, std::size_t grains, const CellS
 
 }  // namespace
 
-DemSample::DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings)
-    : DemSample(engine_at(engine), assembly, settings) {
+DemSample::DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings,
+                     StrainHeight strain_height)
+    : DemSample(engine_at(engine), assembly, settings, strain_height) {
   owned_ = std::move(engine);
 }
 
-DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings)
+DemSample::DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings,
+                     StrainHeight strain_height)
     : engine_(engine),
       grains_(checked(assembly).size()),
       solid_volume_(assembly.solid_volume()),
       smallest_radius_(assembly.smallest_radius()) {
+  if (strain_height == StrainHeight::between_layers) rigid_ = layer_thickness(assembly);
   for (const Role layer : {Role::bottom_layer, Role::top_layer})
     if (const bool glued = std::find(assembly.role.begin(), assembly.role.end(), layer) != assembly.role.end();
         glued == assembly.cell.periodic[2])
@@ -124,7 +134,7 @@ void DemSample::inspect_time_step() {
 void DemSample::start_linear_velocity_field(double shear_rate) {
   Assembly assembly = engine_.save();
   Cell& cell = assembly.cell;
-  const double at_rest = cell.periodic[2] ? 0.5 * (cell.lower.z() + cell.upper.z()) : cell.lower.z();
+  const double at_rest = cell.periodic[2] ? 0.5 * (cell.lower.z() + cell.upper.z()) : cell.lower.z() + rigid_.bottom;
   for (std::size_t i = 0; i < assembly.size(); ++i)
     if (assembly.role[i] == Role::mobile) {
       assembly.velocity[i].x() += shear_rate * (assembly.position[i].z() - at_rest);
@@ -139,7 +149,7 @@ CellStress DemSample::strain(const LocalRun& run) {
   validate(run);
   set_time_step(run.time_step);
   if (steps_ == 0 && linear_at_first_strain_) start_linear_velocity_field(run.rate.shear);
-  const double height = engine_.cell().height();
+  const double height = engine_.cell().height() - rigid_.bottom - rigid_.top;
   BoundaryMotion motion;
   motion.top_velocity = {run.rate.shear * height, 0.0, -run.rate.compression * height};
   engine_.move(motion);
@@ -160,9 +170,14 @@ CellStress DemSample::strain(const LocalRun& run) {
 void DemSample::set_time_step(double time_step) {
   EngineSettings settings = engine_.settings();
   if (time_step == settings.time_step) return;
-  validate_time_step(time_step, smallest_radius_, settings.material);
+  if (!(time_step > 0.0 && time_step <= stable_time_step_))
+    validate_time_step(time_step, smallest_radius_, settings.material);
   settings.time_step = time_step;
   engine_.set(settings);
+}
+
+double DemSample::stable_time_step() {
+  return stable_time_step_ = flowslide::stable_time_step(engine_.save(), settings().material, settings().time_step);
 }
 
 double DemSample::mean_stress() const {
@@ -194,12 +209,15 @@ void DemSample::restore(const SampleState& state) {
   checked(*state.grains);
   EngineSettings settings = engine_.settings();
   settings.time_step = state.number("time_step");
-  validate_time_step(settings.time_step, smallest_radius_, settings.material);
+  const bool is_long = settings.time_step > longest_time_step(smallest_radius_, settings.material);
+  if (!(is_long && is_stable(*state.grains, settings)))
+    validate_time_step(settings.time_step, smallest_radius_, settings.material);
   const double shear_strain = state.number("shear_strain"), time = state.number("time");
   const double processor_seconds = state.number("processor_seconds");
   const std::int64_t steps = state.count("steps");
   const CellStress stress = stress_in(state, "");
   engine_.load(*state.grains, settings);
+  stable_time_step_ = is_long ? settings.time_step : 0.0;
   shear_strain_ = shear_strain;
   time_ = time;
   steps_ = steps;

@@ -3,13 +3,14 @@
 #include <ctime>
 #include <memory>
 
+#include "sample/glued_layers.hpp"
 #include "sample/sample.hpp"
+#include "sample/strain_height.hpp"
 
 namespace flowslide {
 
 /// A prepared assembly in a DEM engine, sheared by its glued top layer. The bottom stands still, and the lateral
-/// periods are fixed. Strains refer to the height H between the planes: tau times the shear rate times the volume is
-/// then the power of the force on the top. A cell that is periodic along z has no layers. It is sheared across its
+/// periods are fixed. Strains refer to the height that StrainHeight names. A cell that is periodic along z has no layers. It is sheared across its
 /// faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
@@ -18,13 +19,16 @@ class DemSample : public Sample {
   /// glued layers in a cell that is periodic along z, for settings out of their bounds, and for a time step that is too
   /// long for the smallest grain. Throws NumericalFailure for a time step too long for the contacts (see
   /// check_contact_time_step).
-  DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings);
+  DemSample(std::unique_ptr<Engine> engine, const Assembly& assembly, const EngineSettings& settings,
+            StrainHeight strain_height = StrainHeight::cell);
   /// The same on an engine of the caller, which must outlive the sample and which nothing else may use meanwhile. The
   /// next sample on this engine replaces the grains: the earlier sample must not be used again.
-  DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings);
+  DemSample(Engine& engine, const Assembly& assembly, const EngineSettings& settings,
+            StrainHeight strain_height = StrainHeight::cell);
 
   /// Adds the velocity field of simple shear at `shear_rate` (1/s) to every mobile grain, and half the curl of the
-  /// field to its spin. The field is 0 at the bottom, or at mid-height of a cell that is periodic along z. Without the
+  /// field to its spin. The field is 0 at the bottom, or at the top of the bottom layer if strains refer to the height
+  /// between the layers, or at mid-height of a cell that is periodic along z. Without the
   /// field, a sudden start of the top would send a wave through the sample. Without the spin, contacts would set all
   /// grains into rotation at once.
   void start_linear_velocity_field(double shear_rate);
@@ -41,6 +45,9 @@ class DemSample : public Sample {
   double mean_stress() const override;
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override;
+  /// See stable_time_step of sample/stable_time_step.hpp. Until the next call, runs may use steps up to this one, even if
+  /// it exceeds the fraction of the Rayleigh time that limits other steps. Costs about 60 steps.
+  double stable_time_step() override;
   /// Grains with their contact histories, clocks, present stress and the stress after the preparation.
   SampleState state() const override;
   /// Precondition: the sample was loaded from the same prepared assembly, with the same material, on the same kind of
@@ -66,12 +73,14 @@ class DemSample : public Sample {
   std::uint64_t grains_;
   double solid_volume_;
   double smallest_radius_;
+  LayerThickness rigid_;           ///< what the height of the cell and that of the strain differ by, m
   bool linear_at_first_strain_ = false;
   CellStress prepared_;
   double shear_strain_ = 0.0;
   double time_ = 0.0;
   std::int64_t steps_ = 0;
   std::clock_t clock_ticks_ = 0;
+  double stable_time_step_ = 0.0;  ///< found last, s; 0: none
   std::int64_t since_inspection_ = 0;  ///< steps since the last check of the time step; `restore` does not change it
   CellStress stress_;
 };

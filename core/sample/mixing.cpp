@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "grains/measures.hpp"
-#include "grains/time_step_share.hpp"
 #include "sample/health.hpp"
+#include "sample/stable_time_step.hpp"
 
 namespace flowslide {
 namespace {
@@ -22,17 +22,6 @@ constexpr double allowed_deviations = 2.0;
 /// Order divided by its limit.
 double excess(const MiddleOrder& order) {
   return order.value / order_of_random_positions(order.grains, allowed_deviations);
-}
-
-/// Two equal grains of `radius` (m) at the largest overlap (m) of a head-on impact.
-Assembly impact(double radius, double overlap) {
-  Assembly pair;
-  pair.resize(2);
-  pair.radius = {radius, radius};
-  pair.position[1].x() = 2.0 * radius - overlap;
-  pair.cell.lower.setConstant(-10.0 * radius);
-  pair.cell.upper.setConstant(10.0 * radius);
-  return pair;
 }
 
 }  // namespace
@@ -63,19 +52,19 @@ std::int64_t steps_between_checks(const SampleRecipe& recipe) {
 void validate_impacts(const SampleRecipe& recipe) {
   if (recipe.mixing_velocity == 0.0) return;
   const double radius = 0.5 * recipe.packing.smallest_diameter;
-  const double overlap = hertz_impact_overlap(radius, recipe.material, fastest_approach * recipe.mixing_velocity);
+  const double speed = fastest_approach * recipe.mixing_velocity;
+  const double overlap = hertz_impact_overlap(radius, recipe.material, speed);
   if (overlap > 2.0 * radius * largest_overlap)
     throw std::invalid_argument(fmt::format(
         "mixing = {} m/s makes grains overlap by up to {:.3g} of their diameter, more than the {} that spheres may; "
         "choose a slower mixing, or stiffer grains",
         recipe.mixing_velocity, 0.5 * overlap / radius, largest_overlap));
-  const double share = time_step_share(impact(radius, overlap), recipe.material, recipe.time_step);
-  if (share >= 1.0)
+  const double stable = time_step_for_impacts(radius, recipe.material, speed, recipe.time_step);
+  if (recipe.time_step >= stable)
     throw std::invalid_argument(
         fmt::format("the time step {} s is too long for the impacts of mixing = {} m/s: choose one of at most {:.2g} "
-                    "s, or a slower "
-                    "mixing",
-                    recipe.time_step, recipe.mixing_velocity, 0.95 * time_step_at_edge(recipe.time_step, share)));
+                    "s, or a slower mixing",
+                    recipe.time_step, recipe.mixing_velocity, 0.95 * stable));
 }
 
 }  // namespace flowslide

@@ -19,8 +19,6 @@
 namespace flowslide {
 namespace {
 
-/// Largest gap between a glued grain and its plane, as a fraction of the mean diameter.
-constexpr double layer_reach = 0.25;
 /// Tolerance of the stresses at the end of stages 2 and 3, as a fraction of the normal stress. These stages only lead
 /// to stage 4.
 constexpr double intermediate_tolerance = 1e-2;
@@ -85,7 +83,7 @@ class Preparation {
     if (stage == 3 || stage == 4) {
       Assembly assembly = engine_.save();
       if (stage == 3) assembly.cell.periodic = {true, true, recipe_.periodic_height};
-      else if (!recipe_.periodic_height) glue_layers(assembly, layer_reach * assembly.mean_diameter());
+      else if (!recipe_.periodic_height) glue_layers(assembly, recipe_.glue);
       engine_.load(assembly, settings());
     } else if (stage == 5 || settings().drag != engine_.settings().drag ||
                !(settings().material == engine_.settings().material)) {
@@ -194,9 +192,7 @@ class Preparation {
     check_contact_time_step(sample.assembly, recipe_.material, recipe_.time_step);
     sample.stress = stress_;
     sample.void_ratio = void_ratio(sample.assembly);
-    const double margin = sample.assembly.mean_diameter();
-    sample.bulk_void_ratio =
-        recipe_.periodic_height ? sample.void_ratio : void_ratio_of_bulk(sample.assembly, margin);
+    sample.probe_void_ratio = recipe_.periodic_height ? sample.void_ratio : probe_void_ratio(sample.assembly);
     sample.kinetic_number = kinetic_number(sample.assembly, recipe_.material, recipe_.normal_stress);
     sample.steps = steps_;
     constexpr double drift_factor = 4.0;

@@ -14,7 +14,7 @@ struct PreparedSample {
   Assembly assembly;
   CellStress stress;             ///< at rest, without drag
   double void_ratio = 0.0;       ///< e_0, of the whole cell
-  double bulk_void_ratio = 0.0;  ///< without one mean diameter at each glued layer; e_0 if there is none
+  double probe_void_ratio = 0.0;  ///< see probe_void_ratio; that of the cell if no layer is glued
   double kinetic_number = 0.0;   ///< see kinetic_number in health.hpp, with p = sigma_0
   std::int64_t steps = 0;        ///< steps of the preparation
 };

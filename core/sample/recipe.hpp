@@ -7,6 +7,7 @@
 #include "dem/drag_reference.hpp"
 #include "grains/material.hpp"
 #include "grains/packing.hpp"
+#include "sample/glued_layers.hpp"
 
 namespace flowslide {
 
@@ -20,6 +21,7 @@ struct SampleRecipe {
   double preparation_restitution = 0.8;   ///< of stages 1 to 3; a value below the material's gives looser packings
   bool periodic_height = false;           ///< all three axes are periodic from the start and no layer is glued, for
                                           ///< homogeneous shear across the faces
+  Glue glue = Glue::one_layer;            ///< the grains that are glued in stage 4
   double drag = 0.03;  ///< c of the force -c (v - u) on each grain, kg/s; 0 in the finished sample
   DragReference drag_reference = DragReference::rest;       ///< the velocity u
   std::array<bool, 4> drag_stages{true, true, true, true};  ///< whether drag acts in stages 1, 2, 3 and 4
@@ -48,6 +50,7 @@ struct SampleRecipe {
         Field{"preparation_friction", &SampleRecipe::preparation_friction, "1", Bounds::between(0.0, 2.0)},
         Field{"restitution", &SampleRecipe::preparation_restitution, "1", Bounds::above_up_to(0.0, 1.0)},
         Field{"periodic_height", &SampleRecipe::periodic_height},
+        Field{"glue", &SampleRecipe::glue},
         Field{"drag", &SampleRecipe::drag, "kg/s", Bounds::not_negative()},
         Field{"drag_reference", &SampleRecipe::drag_reference},
         Field{"drag_stages", &SampleRecipe::drag_stages},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cstdint>
+#include <limits>
 
 #include "dem/engine.hpp"
 #include "sample/sample_state.hpp"
@@ -18,6 +19,7 @@ struct LocalRun {
   StrainRate rate;
   std::int64_t steps = 0;  ///< >= 0; the sign of a strain is that of its rate
   double time_step = 0.0;  ///< dt_L, s; of a DemSample: above 0, at most longest_time_step (sample/health.hpp)
+                           ///< or the present stable_time_step
   /// False: the caller accepts the last measured stress, and the sample may skip the measurement.
   bool measured = true;
 
@@ -38,6 +40,10 @@ class Sample {
   virtual double mean_stress() const = 0;
   virtual double shear_strain() const = 0;  ///< gamma since the sample was prepared
   virtual double void_ratio() const = 0;
+
+  /// A local time step (s) that is stable in the present state with a reserve, for the next call of `strain`. A closed
+  /// form bears any: infinite.
+  virtual double stable_time_step() { return std::numeric_limits<double>::infinity(); }
 
   /// The state for a checkpoint. Collective over the ranks that share the sample.
   virtual SampleState state() const = 0;

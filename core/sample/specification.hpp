@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sample/recipe.hpp"
+#include "sample/strain_height.hpp"
 #include "sample/void_ratio_search.hpp"
 
 namespace flowslide {
@@ -15,6 +16,7 @@ struct SampleSpecification {
   SampleRecipe recipe;       ///< first recipe of the search for its void ratio
   VoidRatioTarget target;
   bool allow_uneven = false;  ///< accepts samples that are less uniform than a random packing (see unevenness)
+  StrainHeight strain_height = StrainHeight::cell;
 
   /// "e0_790_seed2": unique among the samples of a configuration.
   std::string label() const { return fmt::format("{}_seed{}", name, recipe.packing.seed); }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "grains/choice.hpp"
 #include "sample/recipe.hpp"
 
 namespace flowslide {
@@ -14,11 +15,24 @@ struct Trial {
   double void_ratio = 0.0;
 };
 
+/// Where the void ratio of a sample is measured. The paper does not say.
+enum class VoidRatioRegion {
+  cell,  ///< the whole cell
+  probe  ///< see probe_void_ratio
+};
+
+template <>
+struct ChoiceNames<VoidRatioRegion> {
+  static constexpr const char* what = "the region of the void ratio";
+  static constexpr std::array names{"cell", "probe"};
+};
+
 /// Target of a search.
 struct VoidRatioTarget {
-  double void_ratio = 0.79;   ///< e_0 of the whole cell
+  double void_ratio = 0.79;   ///< e_0 of the region
   double tolerance = 2e-3;    ///< largest deviation of e_0 from the target, > 0
   int most_trials = 10;
+  VoidRatioRegion region = VoidRatioRegion::cell;
 };
 
 /// Throws std::invalid_argument if no packing of spheres at rest has this void ratio, if the tolerance is not positive,
@@ -27,7 +41,7 @@ void validate(const VoidRatioTarget& target);
 
 /// Searches for a sample with the void ratio of `target` by varying its preparation friction mu_1 and its seed. Returns
 /// all trials that gave a sample; the last one is within the tolerance. `prepare` makes a sample and returns its void
-/// ratio.
+/// ratio in the region of the target.
 ///
 /// At one recipe the seeds scatter e_0 by 0.004 to 0.012, which is as large as the differences between the paper's
 /// samples. A root finder therefore fails. Instead, each trial uses a new seed and the mu_1 that the mean of all trials

@@ -35,7 +35,7 @@ StoredSample stored(const PreparedSample& sample, const std::string& recipe) {
   return {recipe,
           sample.assembly,
           {{"void_ratio", sample.void_ratio, "1", "void ratio of the cell"},
-           {"bulk_void_ratio", sample.bulk_void_ratio, "1", "void ratio away from the glued layers"},
+           {"probe_void_ratio", sample.probe_void_ratio, "1", "void ratio without the outer 7.5 % of the height"},
            {"kinetic_number", sample.kinetic_number, "1", "mean kinetic energy of a grain over p D^3"},
            {"steps", static_cast<double>(sample.steps), "1", "steps of the preparation"},
            pascal("normal_stress", sample.stress.normal, "normal stress at rest"),
@@ -52,7 +52,7 @@ PreparedSample prepared(const StoredSample& stored) {
                    metric(stored, "transverse_stress"), metric(stored, "lateral_stress_x"),
                    metric(stored, "lateral_stress_y")};
   sample.void_ratio = metric(stored, "void_ratio");
-  sample.bulk_void_ratio = metric(stored, "bulk_void_ratio");
+  sample.probe_void_ratio = metric(stored, "probe_void_ratio");
   sample.kinetic_number = metric(stored, "kinetic_number");
   sample.steps = static_cast<std::int64_t>(metric(stored, "steps"));
   return sample;
@@ -176,7 +176,8 @@ struct SampleProvider {
 std::vector<Metric> metrics_of(const FoundSample& found) {
   std::vector<Metric> metrics{
       {"initial_void_ratio", found.sample.void_ratio, "1", "void ratio of the cell before shear"},
-      {"initial_bulk_void_ratio", found.sample.bulk_void_ratio, "1", "void ratio a mean diameter away from the planes"},
+      {"initial_probe_void_ratio", found.sample.probe_void_ratio, "1",
+       "void ratio without the outer 7.5 % of the height at each end, before shear"},
       {"preparation_friction", found.recipe.preparation_friction, "1", "mu_1 of the sample"},
       {"preparation_restitution", found.recipe.preparation_restitution, "1", "restitution of stages 1 to 3"},
       {"preparation_drag", found.recipe.drag, "kg/s", "drag on each grain during preparation"},
@@ -212,7 +213,8 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
     found.health = packing_health(found.sample.assembly, recipe);
     if (const std::string uneven = unevenness(found.health); !uneven.empty() && !specification.allow_uneven)
       throw NumericalFailure(fmt::format("sample {}, seed {}: {}", specification.name, recipe.packing.seed, uneven));
-    return found.sample.void_ratio;
+    return specification.target.region == VoidRatioRegion::probe ? found.sample.probe_void_ratio
+                                                                 : found.sample.void_ratio;
   };
   found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;
   found.name = specification.name + " " + cache_key(found.recipe, engine.name() + " " + engine.version());

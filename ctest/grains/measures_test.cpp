@@ -53,6 +53,12 @@ TEST(VoidRatioOfBulk, RefusesImpossibleMargins) {
   EXPECT_THROW(void_ratio_of_bulk(cubic_lattice(4, 2.0, false), 3.6), std::invalid_argument);  // between two layers
 }
 
+TEST(ProbeVoidRatio, LeavesOutTheOuterShareAtEachEnd) {
+  const Assembly assembly = cubic_lattice(4, 1.25, false);
+  EXPECT_EQ(probe_void_ratio(assembly), void_ratio_of_bulk(assembly, 0.075 * assembly.cell.height()));
+  EXPECT_LT(probe_void_ratio(assembly), void_ratio(assembly));
+}
+
 TEST(VolumeBelow, OfASphere) {
   EXPECT_EQ(volume_below(2.0, -2.0), 0.0);
   EXPECT_EQ(volume_below(2.0, -5.0), 0.0);

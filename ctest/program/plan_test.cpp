@@ -31,7 +31,7 @@ TEST(Plan, ShowsTheSampleThatWasFoundWithItsHealth) {
   found.sample.void_ratio = 0.7823;
   std::ostringstream lattice, mixed;
   print_found_sample(lattice, {"loose", {}, {}}, found);
-  EXPECT_EQ(lattice.str().rfind("sample loose, seed 1, mu_1 0.3, drag 0.03 kg/s, lattice: e0 0.7823 (inner 0", 0), 0u)
+  EXPECT_EQ(lattice.str().rfind("sample loose, seed 1, mu_1 0.3, drag 0.03 kg/s, lattice: e0 0.7823 (probe 0", 0), 0u)
       << lattice.str();
   EXPECT_EQ(lattice.str().find("uneven"), std::string::npos);
   found.recipe.mixing_velocity = 0.5;

@@ -16,9 +16,9 @@ TEST(HealthLine, HoldsTheLargestOfTheThreeAxes) {
                               {"fabric_anisotropy", 0.017, "1", ""}};
   EXPECT_EQ(health_line(metrics), "");  // no void ratio: not a sample of grains
   metrics.push_back({"initial_void_ratio", 0.7823, "1", ""});
-  metrics.push_back({"initial_bulk_void_ratio", 0.767, "1", ""});
+  metrics.push_back({"initial_probe_void_ratio", 0.767, "1", ""});
   EXPECT_EQ(health_line(metrics),
-            "e0 0.7823 (inner 0.7670), slices +-0.012, seam 0.004, order 0.030, contacts 4.61, rattlers 9.0 %, fabric "
+            "e0 0.7823 (probe 0.7670), slices +-0.012, seam 0.004, order 0.030, contacts 4.61, rattlers 9.0 %, fabric "
             "0.017");
 }
 

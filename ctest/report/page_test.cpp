@@ -53,10 +53,10 @@ TEST_F(ReportPage, TellsTheHealthOfTheSampleOfARun) {
   EXPECT_THAT(page(), Not(HasSubstr("e0 0.7823")));
   Result result = example_result();
   result.metrics = {{"initial_void_ratio", 0.7823, "1", ""},
-                    {"initial_bulk_void_ratio", 0.767, "1", ""},
+                    {"initial_probe_void_ratio", 0.767, "1", ""},
                     {"mechanical_coordination_number", 4.6, "1", ""}};
   write_result(folder_ / "results/shear/quick/mixed.h5", result);
-  EXPECT_THAT(page(), HasSubstr("e0 0.7823 (inner 0.7670)"));
+  EXPECT_THAT(page(), HasSubstr("e0 0.7823 (probe 0.7670)"));
 }
 
 TEST_F(ReportPage, NamesCommandsAndWhatIsMissing) {

@@ -24,10 +24,11 @@ inline Checkpoint example_checkpoint() {
   for (double* member : {&s.time, &s.sliding.displacement, &s.sliding.velocity, &s.velocity, &s.largest_velocity,
                          &s.strain.shear, &s.strain.compression, &s.owed.shear, &s.owed.compression, &s.driving_stress,
                          &s.stress.shear, &s.stress.normal, &s.global_rate, &s.rate_asked, &s.rate_applied,
-                         &s.local_time, &s.rest.probed, &s.rest.rested})
+                         &s.local_time, &s.rest.probed, &s.rest.rested, &s.adaptive.time_step})
     *member = std::sin(number += 1.0) / 3.0;
   s.steps = 17;
   s.unmeasured_runs = 3;
+  s.adaptive.steps = 1234;
   s.local_steps = 987654321;
   slide.spacing = {0.25, std::numeric_limits<double>::infinity(), 77};
   slide.next_time = 0.52;

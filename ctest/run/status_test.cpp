@@ -98,11 +98,11 @@ TEST_F(StatusTest, TellsWhatIsOfAnotherRun) {
 TEST_F(StatusTest, TellsTheHealthOfTheSample) {
   Result result = example_result();
   result.metrics = {{"initial_void_ratio", 0.7823, "1", ""},
-                    {"initial_bulk_void_ratio", 0.767, "1", ""},
+                    {"initial_probe_void_ratio", 0.767, "1", ""},
                     {"mechanical_coordination_number", 4.6, "1", ""}};
   identity_.stamp(result);
   write_result(output_.file("RD.h5"), result);
-  EXPECT_CONTAINS(status_of("RD").sample, "e0 0.7823 (inner 0.7670)");
+  EXPECT_CONTAINS(status_of("RD").sample, "e0 0.7823 (probe 0.7670)");
 }
 
 TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {

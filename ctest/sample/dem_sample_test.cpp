@@ -50,6 +50,22 @@ TEST_F(DemSampleTest, KeepsTheStressMeasuredLastWhereItNeedNotMeasure) {
   EXPECT_EQ(sample.size(), touching_lattice().size());
 }
 
+TEST_F(DemSampleTest, StrainRefersToTheHeightOfTheCellOrToThatBetweenTheLayers) {
+  const Assembly lattice = touching_lattice();
+  const LayerThickness layers = layer_thickness(lattice);
+  const double height = lattice.cell.height(), inner = height - layers.bottom - layers.top;
+  ASSERT_LT(inner, 0.95 * height);
+  for (const auto& [rule, expected] : {std::pair{StrainHeight::cell, height}, {StrainHeight::between_layers, inner}}) {
+    DemSample sample(*engine_, lattice, settings_, rule);
+    sample.strain({{2.0, 0.5}, 100, step});
+    const Assembly after = sample.assembly();
+    const auto top = std::find(after.role.begin(), after.role.end(), Role::top_layer) - after.role.begin();
+    const Vector3 moved = after.cell.nearest_image(after.position[top] - lattice.position[top]);
+    EXPECT_NEAR(moved.x() / (2.0 * 100 * step), expected, 1e-9 * expected);
+    EXPECT_NEAR(-moved.z() / (0.5 * 100 * step), expected, 1e-9 * expected);
+  }
+}
+
 TEST_F(DemSampleTest, VolumetricStrainChangesTheVoidRatioByItself) {
   DemSample sample(*engine_, touching_lattice(), settings_);
   const double before = sample.void_ratio();

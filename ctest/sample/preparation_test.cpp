@@ -63,7 +63,7 @@ TEST(Preparation, WithAPeriodicHeightReachesTheSameTargetsWithoutLayers) {
   EXPECT_NEAR(sample.stress.lateral_x, recipe.normal_stress, tolerance);
   EXPECT_NEAR(sample.stress.lateral_y, recipe.normal_stress, tolerance);
   EXPECT_NEAR(sample.stress.shear, recipe.shear_stress, tolerance);
-  EXPECT_EQ(sample.bulk_void_ratio, sample.void_ratio);
+  EXPECT_EQ(sample.probe_void_ratio, sample.void_ratio);
   EXPECT_GT(sample.void_ratio, 0.6);
   EXPECT_LT(sample.void_ratio, 1.0);
   EXPECT_TRUE(sample.assembly.cell.periodic[2]);

@@ -94,7 +94,7 @@ TEST_F(SampleCache, FindsItAgainWithoutAStep) {
   EXPECT_EQ(found.recipe.text(), made.recipe.text());
   // Bit for bit: what a run starts from must not depend on who prepared it.
   EXPECT_EQ(found.sample.void_ratio, made.sample.void_ratio);
-  EXPECT_EQ(found.sample.bulk_void_ratio, made.sample.bulk_void_ratio);
+  EXPECT_EQ(found.sample.probe_void_ratio, made.sample.probe_void_ratio);
   EXPECT_EQ(found.sample.kinetic_number, made.sample.kinetic_number);
   EXPECT_EQ(found.sample.steps, made.sample.steps);
   EXPECT_EQ(found.sample.stress.normal, made.sample.stress.normal);

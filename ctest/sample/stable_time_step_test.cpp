@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "sample/stable_time_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "dem/native/native_engine.hpp"
+#include "grains/time_step_share.hpp"
+#include "sample/dem_sample.hpp"
+#include "sample/health.hpp"
+#include "support/touching_lattice.hpp"
+
+namespace flowslide {
+namespace {
+
+constexpr double step = 1e-6;  // s
+
+TEST(StableTimeStep, IsHalfOfWhatTheContactsBear) {
+  Assembly lattice = touching_lattice();
+  const double share = time_step_share(lattice, Material{}, step);
+  ASSERT_GT(share, 0.0);
+  EXPECT_DOUBLE_EQ(stable_time_step(lattice, Material{}, step), 0.5 * time_step_below_edge(step, share));
+}
+
+TEST(StableTimeStep, FallsWithTheVelocityOfTheGrains) {
+  Assembly gas = touching_lattice();
+  for (double& radius : gas.radius) radius *= 0.5;  // no contacts
+  for (Vector3& velocity : gas.velocity) velocity.setZero();
+  Material elastic;
+  elastic.restitution = 1.0;
+  elastic.rolling_friction = 0.0;
+  EXPECT_EQ(stable_time_step(gas, elastic, step), std::numeric_limits<double>::infinity());
+  const auto at_speed = [&](double speed) {
+    for (Vector3& velocity : gas.velocity) velocity = {0.0, speed, 0.0};
+    return stable_time_step(gas, elastic, step);
+  };
+  // Hertz: the overlap grows as v^(4/5), the stiffness as v^(2/5), and the edge falls as v^(-1/5).
+  EXPECT_NEAR(at_speed(0.32) / at_speed(0.01), 0.5, 5e-3);
+}
+
+TEST(StableTimeStep, OfASoftSampleExceedsTheFractionOfTheRayleighTime) {
+  Assembly lattice = touching_lattice();
+  Material soft;
+  DemSample sample(std::make_unique<DoubleEngine>(NativeOptions{.threads = 1}), lattice, {soft, step, 0.0});
+  const double allowed = sample.stable_time_step();
+  // A step up to the stable one is taken, a longer one is refused as any other above the limit.
+  const double limit = longest_time_step(lattice.smallest_radius(), soft);
+  EXPECT_GT(allowed, 0.0);
+  EXPECT_NO_THROW(sample.strain({{1e-3, 0.0}, 1, allowed}));
+  sample.stable_time_step();
+  EXPECT_THROW(sample.strain({{1e-3, 0.0}, 1, 2.0 * std::max(allowed, limit)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace flowslide
