@@ -24,6 +24,7 @@ void validate(const SlideSettings& settings) {
   Consolidation(settings.slope, settings.consolidation, settings.time_step, settings.oedometric_modulus);
   validate(settings.rate);
   validate(settings.passing);
+  if (settings.adaptive) validate(*settings.adaptive);
   if (settings.rest) validate(*settings.rest);
   require(settings.stress_interval >= 1, "number of runs of the sample per measured stress",
           static_cast<double>(settings.stress_interval), "1 or more", "Use 1 to measure after each.");
@@ -61,7 +62,7 @@ void Slide::step() {
   state_.rate_asked = rate_asked(settings_.rate, state_.global_rate, sample_.stress().normal, state_.strain.shear);
   const bool resting =
       settings_.rest && rests(*settings_.rest, state_.rest, increment.norm(), sample_.stress().normal);
-  run_sample(resting ? LocalRun{} : pass(settings_.passing, state_.owed, increment, state_.rate_asked));
+  run_sample(resting ? LocalRun{} : pass(passing(), state_.owed, increment, state_.rate_asked));
 
   ++state_.exchanges;
   state_.time = static_cast<double>(state_.exchanges) * settings_.time_step;
@@ -82,6 +83,13 @@ void Slide::check_finite() const {
                   state_.time, state_.velocity, state_.stress.shear, state_.stress.normal, settings_.time_step));
 }
 
+/// The passing rule with the present dt_L.
+StrainPassing Slide::passing() {
+  StrainPassing present = settings_.passing;
+  if (settings_.adaptive) present.time_step = choose_time_step(*settings_.adaptive, sample_, state_.adaptive);
+  return present;
+}
+
 void Slide::run_sample(LocalRun run) {
   state_.steps = run.steps;
   if (run.steps == 0) return;
@@ -94,6 +102,7 @@ void Slide::run_sample(LocalRun run) {
   state_.rate_applied = Strain{run.rate.shear, run.rate.compression}.norm();
   state_.local_time += run.duration();
   state_.local_steps += run.steps;
+  state_.adaptive.steps += run.steps;
 }
 
 }  // namespace flowslide

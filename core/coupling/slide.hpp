@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "coupling/adaptive_time_step.hpp"
 #include "coupling/liquefied_rest.hpp"
 #include "coupling/rate_rule.hpp"
 #include "coupling/strain.hpp"
@@ -27,6 +28,8 @@ struct SlideSettings {
   ResidualTreatment residual = ResidualTreatment::fades;
   double initial_velocity = 0.0;     ///< v^0, m/s
   std::int64_t stress_interval = 1;  ///< n: the stress is measured after every n-th run of the sample and held between
+  std::optional<AdaptiveTimeStep> adaptive;  ///< empty: dt_L is that of `passing`;
+                                             ///< otherwise `passing` gives the rule alone
   std::optional<LiquefiedRest> rest;  ///< empty: all strain is passed to the sample
 };
 
@@ -48,6 +51,7 @@ struct SlideState {
   std::int64_t steps = 0;           ///< n_step of the last step; 0 while strain accumulates
   std::int64_t unmeasured_runs = 0;  ///< runs of the sample since its stress was last measured
   RestState rest;                   ///< used only with SlideSettings::rest
+  AdaptiveTimeStepState adaptive;   ///< used only with SlideSettings::adaptive
   double local_time = 0.0;          ///< the local clock, s
   std::int64_t local_steps = 0;     ///< local steps of all exchanges
 };
@@ -91,6 +95,7 @@ class Slide {
   const Sample& sample() const { return sample_; }
 
  private:
+  StrainPassing passing();
   void run_sample(LocalRun run);
   void check_finite() const;
 

@@ -14,6 +14,8 @@ void validate(const StopConditions& conditions) {
           "Leave it out to go on to the end time.");
   require(conditions.sliding_velocity > 0.0, "velocity of a slide", conditions.sliding_velocity, "> 0 m/s",
           "Leave it out to go on to the end time.");
+  require(conditions.end_velocity > 0.0, "velocity at the end", conditions.end_velocity, "> 0 m/s",
+          "Leave it out to go on to the end time.");
 }
 
 Stop stop_of(const SlideState& state, const StopConditions& conditions, double time_step) {
@@ -21,6 +23,7 @@ Stop stop_of(const SlideState& state, const StopConditions& conditions, double t
   if (state.time > conditions.end_time - 0.5 * time_step) return Stop::end_time;
   if (state.strain.shear >= conditions.end_shear_strain) return Stop::end_shear_strain;
   if (state.largest_velocity > conditions.sliding_velocity && state.velocity <= 0.0) return Stop::sliding_stopped;
+  if (state.velocity >= conditions.end_velocity) return Stop::end_velocity;
   return Stop::not_yet;
 }
 

@@ -13,9 +13,10 @@ struct StopConditions {
   /// The slide has stopped when v falls to 0 after it has exceeded this value, m/s. The threshold excludes oscillations
   /// on the elastic sample.
   double sliding_velocity = std::numeric_limits<double>::infinity();
+  double end_velocity = std::numeric_limits<double>::infinity();  ///< v, m/s
 };
 
-enum class Stop { not_yet, end_time, end_shear_strain, sliding_stopped };
+enum class Stop { not_yet, end_time, end_shear_strain, end_velocity, sliding_stopped };
 
 /// Throws std::invalid_argument unless all are > 0 and the end time is finite.
 void validate(const StopConditions& conditions);

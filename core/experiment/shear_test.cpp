@@ -43,6 +43,24 @@ std::array<double, 12> row(const DemSample& sample, const Assembly& assembly, do
           kinetic.normal};
 }
 
+/// Strains the sample for `steps` steps of `time_step` (s), or for the same time in fewer steps.
+void strain_by(DemSample& sample, const ShearTest& test, std::int64_t steps, double time_step) {
+  if (!test.adaptive) {
+    sample.strain({{test.shear_rate, 0.0}, steps, time_step});
+    return;
+  }
+  AdaptiveTimeStepState state;
+  for (double left = static_cast<double>(steps) * time_step; left > 0.0;) {
+    const double longest = choose_time_step(*test.adaptive, sample, state);
+    const auto needed = static_cast<std::int64_t>(std::ceil(left / longest));
+    const std::int64_t now = std::min(needed, test.adaptive->interval);
+    const double length = left / static_cast<double>(needed);
+    sample.strain({{test.shear_rate, 0.0}, now, length});
+    state.steps += now;
+    left = now == needed ? 0.0 : left - static_cast<double>(now) * length;
+  }
+}
+
 }  // namespace
 
 std::int64_t ShearTest::steps(double time_step) const {
@@ -97,7 +115,8 @@ Series shear_test_series() {
 ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const RowObserver& observe,
                                ShearTestRecord previous) {
   ShearTestRecord record = std::move(previous);
-  const double time_step = sample.settings().time_step;
+  // The present step of a sample may be longer, when it was restored.
+  const double time_step = test.adaptive ? test.adaptive->smallest : sample.settings().time_step;
   const std::vector<std::int64_t> kept = test.row_steps(time_step), fixed = test.measured_steps(time_step);
   std::size_t k = record.rows.rows(), m = record.measured.rows();
   if (k > kept.size() || m > fixed.size())
@@ -111,7 +130,7 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
     const bool keep = k < kept.size() && (m == fixed.size() || kept[k] <= fixed[m]);
     const bool measure = m < fixed.size() && (k == kept.size() || fixed[m] <= kept[k]);
     const std::int64_t at = keep ? kept[k] : fixed[m];
-    if (at > done) sample.strain({{test.shear_rate, 0.0}, at - done, time_step});
+    if (at > done) strain_by(sample, test, at - done, time_step);
     done = at;
     const Assembly assembly = sample.assembly();
     const double time = static_cast<double>(at) * time_step;
@@ -121,6 +140,7 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
     m += measure ? 1 : 0;
     k += keep ? 1 : 0;
     if (keep && observe) observe(done, assembly, record);
+    if (measure && sample.stress().normal >= test.end_normal_stress) break;
   }
   return record;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
+#include "coupling/adaptive_time_step.hpp"
 #include "record/series.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/recipe.hpp"
@@ -15,10 +18,15 @@ struct ShearTest {
   double final_strain = 0.5;     ///< gamma at the end
   int rows = 500;                ///< number of rows kept; they are closer at the start, where the peak is
   double inertial_number = 0.0;  ///< I of `shear_rate` at the initial normal stress; 0: the rate itself was chosen
+  /// Empty: every step has the length dt_L. Otherwise the steps between two rows are longer where the contacts bear it.
+  std::optional<AdaptiveTimeStep> adaptive = {};
+  double end_normal_stress = std::numeric_limits<double>::infinity();  ///< Pa; the test ends at the measured row that
+                                                                        ///< reaches this sigma
   /// Number of rows from which metrics are computed. It is fixed, so metrics do not depend on `rows`.
   static constexpr int measured_rows = 500;
 
-  /// Number of time steps of the test, for a time step in s. Throws std::invalid_argument above 1e15 steps.
+  /// Number of time steps of length `time_step` (s) of the test. Rows stand at such steps, whatever steps lie between
+  /// them. Throws std::invalid_argument above 1e15 steps.
   std::int64_t steps(double time_step) const;
   /// Step numbers at which rows are taken, from 0: the steps nearest to gamma = final_strain (k/rows)^2, k = 0..rows.
   /// Rows that would fall on the same step are taken once.

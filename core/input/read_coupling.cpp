@@ -157,6 +157,17 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
   return passing;
 }
 
+std::optional<AdaptiveTimeStep> read_adaptive_time_step(const Configuration& configuration, const TableNames& tables,
+                                                        double smallest) {
+  const Tables coupling(configuration, tables);
+  const char* key = "largest_local_time_step";
+  if (!coupling.has(key)) return std::nullopt;
+  const double largest = coupling.positive(key, dimension::time);
+  if (largest < smallest)
+    coupling.refuse(key, fmt::format("is below local_time_step, {} s", smallest), "leave it out for a constant dt_L");
+  return AdaptiveTimeStep{smallest, largest};
+}
+
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains, const SampleRecipe* moved) {
   const Tables coupling(configuration, tables);
@@ -174,6 +185,7 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
     settings.initial_velocity = coupling.quantity("initial_velocity", dimension::velocity);
   if (coupling.has("stress_interval"))
     settings.stress_interval = coupling.integer("stress_interval", Range::between(1, most_steps_allowed));
+  settings.adaptive = read_adaptive_time_step(configuration, tables, settings.passing.time_step);
   settings.rest = read_rest(coupling);
   const double shear_modulus = coupling.positive("shear_modulus", dimension::stress);
   settings.oedometric_modulus = coupling.positive("oedometric_modulus", dimension::stress);
@@ -194,6 +206,7 @@ StopConditions read_stop(const Configuration& configuration, const TableNames& t
   conditions.end_time = stop.positive("end_time", dimension::time);
   if (stop.has("end_shear_strain"))
     conditions.end_shear_strain = stop.positive("end_shear_strain", dimension::dimensionless);
+  if (stop.has("end_velocity")) conditions.end_velocity = stop.positive("end_velocity", dimension::velocity);
   if (stop.has("sliding_velocity"))
     conditions.sliding_velocity = stop.positive("sliding_velocity", dimension::velocity);
   return conditions;

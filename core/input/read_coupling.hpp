@@ -3,6 +3,7 @@
 // {"point.pulse.loading", "loading"}: a key is read from the first table that has it. Each reader throws
 // ConfigurationError. Keys of the alternatives that are not chosen are allowed.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,11 @@ RateRule read_rate_rule(const Configuration& configuration, const TableNames& ta
 /// exceed their longest time step. Null: the sample is a closed form, and any positive step is allowed.
 double read_local_time_step(const Configuration& configuration, const TableNames& tables, const SampleRecipe* moved);
 
+/// Reads largest_local_time_step (s), with which dt_L follows the contacts from `smallest` (s) on. Empty without this
+/// key.
+std::optional<AdaptiveTimeStep> read_adaptive_time_step(const Configuration& configuration, const TableNames& tables,
+                                                        double smallest);
+
 /// Reads dt_L (see read_local_time_step), most_steps and `passing`: "whole_increment" (eq. 15), "accumulate_and_reset"
 /// or "carry_remainder" (eq. 18, with n_accum), or "variable_time_step" (eq. 17).
 StrainPassing read_strain_passing(const Configuration& configuration, const TableNames& tables,
@@ -50,7 +56,7 @@ inline constexpr double largest_portion = 1e-3;
 /// Reads all settings of a slide except its loading (see read_loading). Keys beside those of the two readers above:
 /// time_step; consolidation = "euler" or "exponential"; residual = "fades", "left_out" or "stays"; shear_modulus and
 /// oedometric_modulus (upper bounds for the sample, Pa); allow_unstable. Optional keys: initial_velocity,
-/// stress_interval, and rest_stress with probed_strain and rested_strain (see LiquefiedRest).
+/// stress_interval, largest_local_time_step (see AdaptiveTimeStep), and rest_stress with probed_strain and rested_strain (see LiquefiedRest).
 ///
 /// Unless allow_unstable, three values are refused. dt_G must not exceed the limits of stability of sliding and, with
 /// "euler", of consolidation. If the sample is sheared at the rate of the slope, n_accum dt_L must not exceed the limit

@@ -47,9 +47,15 @@ SampleRecipe read_preparation(const Configuration& configuration, const TableNam
   SampleRecipe recipe;
   read_fields(table, recipe,
               {"packing", "material", "normal_stress", "shear_stress", "preparation_friction", "periodic_height",
-               "drag", "drag_stages", "most_steps", "time_step"});
+               "glue", "drag", "drag_stages", "most_steps", "time_step"});
   recipe.drag_stages = read_drag_stages(table);
   return recipe;
+}
+
+/// The choice under `key`, or `otherwise` without this key.
+template <Choice Enum>
+Enum optional_choice(const Tables& sample, const char* key, Enum otherwise) {
+  return sample.has(key) ? choice_of<Enum>(sample.text(key, choice_names<Enum>())) : otherwise;
 }
 
 std::uint64_t seed_offset(const Tables& sample, int replicate) {
@@ -125,6 +131,9 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.target.void_ratio = own.number("void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = own.number("tolerance", Range::positive());
     sample.target.most_trials = static_cast<int>(own.integer("most_trials", Range::between(1, 100)));
+    sample.target.region = optional_choice(own, "void_ratio_of", VoidRatioRegion::cell);
+    sample.recipe.glue = optional_choice(own, "glue", Glue::one_layer);
+    sample.strain_height = optional_choice(own, "strain_height", StrainHeight::cell);
     sample.allow_uneven = Tables(configuration, preparation).flag("allow_uneven");
     sample.recipe.time_step =
         read_grain_time_step(configuration, Tables(configuration, preparation).key("time_step"),

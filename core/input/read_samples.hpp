@@ -29,6 +29,9 @@ std::vector<std::string> samples_in_use(const Configuration& configuration);
 ///   material, packing, preparation      tables whose keys win over the top-level tables of the same name; optional
 ///   void_ratio, tolerance, most_trials  the void ratio to find, and the limits of the search
 ///   preparation_friction, drag          mu_1 and the drag coefficient (kg/s) with which the search starts
+///   void_ratio_of                       "cell" or "probe" (see VoidRatioRegion); optional, "cell"
+///   glue                                "one layer" or "outer share" (see Glue); optional, "one layer"
+///   strain_height                       "cell" or "between layers" (see StrainHeight); optional, "cell"
 ///   isotropic                           true: no initial shear stress
 ///   periodic_height                     true: no glued layers (see SampleRecipe); optional, false
 ///   seed_offsets                        shift of the seed for each replicate; optional

@@ -19,6 +19,7 @@ ShearTest read_shear_test(const Configuration& configuration, const TableNames& 
     test.shear_rate = table.positive("shear_rate", dimension::rate);
   }
   test.final_strain = table.number("final_strain", Range::above_up_to(0.0, 100.0));
+  if (table.has("end_normal_stress")) test.end_normal_stress = table.positive("end_normal_stress", dimension::stress);
   test.rows = static_cast<int>(table.integer("rows", Range::between(10, 100000)));
   return test;
 }

@@ -178,7 +178,8 @@ SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const 
   auto grains = std::make_unique<DemSample>(make_engine(slide.engine, log, run.threads, all_ranks()),
                                             found.sample.assembly,
                                             EngineSettings{slide.sample.recipe.material,
-                                                           slide.settings.passing.time_step, 0.0});
+                                                           slide.settings.passing.time_step, 0.0},
+                                            slide.sample.strain_height);
   if (slide.linear_start) grains->start_linear_at_first_strain();
   loaded.grains = grains.get();
   loaded.sample = std::move(grains);
@@ -195,7 +196,7 @@ SlideCase::Records SlideCase::shear(const SlidePoint& running, Loaded& loaded, c
     restore(running, [&] { loaded.sample->restore(found->sample); });
     previous = {found->partial_result.series, found->measured};
     shots = found->shots;
-    done = loaded.grains->steps();
+    done = std::llround(loaded.grains->time() / running.settings.passing.time_step);
   }
   const auto records_of = [](const ShearTestRecord& record, Stop stop) {
     return Records{record.rows, {}, stop, measures_of_rows(record.measured), record.measured};

@@ -31,6 +31,8 @@ void add_coupling(std::vector<Metric>& parameters, const SlideSettings& settings
   };
   if (const auto* rule = std::get_if<CarryRemainder>(&settings.passing.rule)) add_least(rule->least_steps);
   if (const auto* rule = std::get_if<AccumulateAndReset>(&settings.passing.rule)) add_least(rule->least_steps);
+  if (settings.adaptive)
+    parameters.push_back({"largest_local_time_step", settings.adaptive->largest, "s", "upper bound of adaptive dt_L"});
   if (const auto* rule = std::get_if<ConstantInertialNumber>(&settings.rate))
     parameters.push_back({"smallest_rate", rule->smallest_rate, "1/s", "smallest rate of the sample"});
 }

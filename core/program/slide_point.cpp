@@ -42,6 +42,11 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
+/// The share of the local steps that is left if dt_L follows the contacts. A liquefied sample takes the largest step.
+double saving(const std::optional<AdaptiveTimeStep>& adaptive) {
+  return adaptive ? adaptive->smallest / adaptive->largest : 1.0;
+}
+
 /// The engine of a point. `common` is the engine of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
@@ -54,6 +59,7 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   tables.emplace_back("shear_test");
   read.test = read_shear_test(configuration, tables, read.sample.recipe);
   read.settings.passing.time_step = read_local_time_step(configuration, coupling, moved_grains(read));
+  read.test->adaptive = read_adaptive_time_step(configuration, coupling, read.settings.passing.time_step);
   std::vector<std::string> places = tables;
   places.insert(places.end(), coupling.names().begin(), coupling.names().end());
   const auto steps = as_written_by_user(fmt::format("{}: point {}", configuration.place_of(places), read.name), [&] {
@@ -63,7 +69,8 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
                                        read.sample.recipe.packing.seed, read.test->shear_rate,
                                        100.0 * read.test->final_strain);
-  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, read.engine);
+  const double fewer_steps = steps * saving(read.test->adaptive);
+  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, fewer_steps, read.engine);
 }
 
 std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
@@ -172,7 +179,7 @@ double predicted_steps(const SlideSettings& settings, const StopConditions& stop
   if (const auto* rule = std::get_if<ConstantStrainRate>(&settings.rate)) duration = strain / rule->rate;
   const bool waits = std::holds_alternative<AccumulateAndReset>(settings.passing.rule) ||
                      std::holds_alternative<CarryRemainder>(settings.passing.rule);
-  return duration / settings.passing.time_step + (waits ? 0.0 : time / settings.time_step);
+  return duration / settings.passing.time_step * saving(settings.adaptive) + (waits ? 0.0 : time / settings.time_step);
 }
 
 }  // namespace flowslide

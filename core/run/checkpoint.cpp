@@ -40,6 +40,8 @@ void for_each_number(State& state, Visit&& visit) {
   visit("unmeasured_runs", state.unmeasured_runs);
   visit("probed_strain", state.rest.probed);
   visit("rested_strain", state.rest.rested);
+  visit("adaptive_time_step", state.adaptive.time_step);
+  visit("steps_of_adaptive_time_step", state.adaptive.steps);
 }
 
 struct WriteNumber {

@@ -29,6 +29,15 @@ TEST(Stop, AtTheShearStrain) {
   EXPECT_EQ(stop_of(state, conditions, step), Stop::end_shear_strain);
 }
 
+TEST(Stop, AtTheVelocity) {
+  SlideState state;
+  const StopConditions conditions{.end_velocity = 2.5};
+  state.velocity = 2.49;
+  EXPECT_EQ(stop_of(state, conditions, step), Stop::not_yet);
+  state.velocity = 2.5;
+  EXPECT_EQ(stop_of(state, conditions, step), Stop::end_velocity);
+}
+
 TEST(Stop, WhenASlideHasComeToRestButNotWhenItHasNotBegun) {
   SlideState state;
   const StopConditions conditions{10.0, 10.0, 0.1};
@@ -48,6 +57,7 @@ TEST(Stop, RefusesConditionsThatNeverOrAlwaysHold) {
   EXPECT_THROW(validate(StopConditions{std::numeric_limits<double>::infinity()}), std::invalid_argument);
   EXPECT_THROW(validate(StopConditions{1.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(validate(StopConditions{1.0, 1.0, -1.0}), std::invalid_argument);
+  EXPECT_THROW(validate(StopConditions{.end_velocity = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ Assembly gas() {
   recipe.counts = {5, 5, 6};
   Assembly assembly = lattice_packing(recipe);
   assembly.cell.periodic = {true, true, false};
-  glue_layers(assembly, 2e-3);
+  glue_layers(assembly, Glue::one_layer);
   return assembly;
 }
 

@@ -144,11 +144,10 @@ TEST_F(RecordOfALattice, HasAFiniteInertialNumberOfTheBulk) {
   }
 }
 
-TEST(ShearTestRecord, GoesOnFromAnyRowWithTheSameBits) {
+void expect_to_go_on_from_any_row(const ShearTest& test) {
   const auto start = [](Engine& engine) {
     return DemSample(engine, touching_lattice(), {Material{}, time_step, 0.0});
   };
-  const ShearTest test{5.0, 5.0 * 200 * time_step, 10};
   const auto engine = make_engine("native", "/dev/null");
   DemSample whole = start(*engine);
   const ShearTestRecord expected = run_shear_test(whole, test);
@@ -174,6 +173,31 @@ TEST(ShearTestRecord, GoesOnFromAnyRowWithTheSameBits) {
     expect_same_bits(record.rows, expected.rows);
     expect_same_bits(record.measured, expected.measured);
   }
+}
+
+TEST(ShearTestRecord, GoesOnFromAnyRowWithTheSameBits) {
+  expect_to_go_on_from_any_row({5.0, 5.0 * 200 * time_step, 10});
+}
+
+TEST(ShearTestRecord, GoesOnWithAdaptiveStepsWithTheSameBits) {
+  expect_to_go_on_from_any_row({5.0, 5.0 * 200 * time_step, 10, 0.0, AdaptiveTimeStep{time_step, 3.0 * time_step, 7}});
+}
+
+TEST(ShearTestRecord, HasItsRowsAtTheSameStrainsWithAdaptiveSteps) {
+  const auto engine = make_engine("native", "/dev/null");
+  const auto run = [&](const ShearTest& test, std::int64_t& steps) {
+    DemSample sample(*engine, touching_lattice(), {Material{}, time_step, 0.0});
+    const Series rows = run_shear_test(sample, test).rows;
+    EXPECT_NEAR(sample.shear_strain(), test.final_strain, 1e-12);
+    steps = sample.steps();
+    return rows;
+  };
+  const double strain = 5.0 * 2000 * time_step;
+  std::int64_t fixed = 0, adaptive = 0;
+  const Series one = run({5.0, strain, 10}, fixed);
+  const Series other = run({5.0, strain, 10, 0.0, AdaptiveTimeStep{time_step, 3.0 * time_step, 7}}, adaptive);
+  EXPECT_EQ(one.column("shear_strain").values, other.column("shear_strain").values);
+  EXPECT_LT(adaptive, fixed);
 }
 
 TEST(ShearTestRecord, MeasuresTheSameWhateverRowsAreKept) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "dem/make_engine.hpp"
+#include "dem/native/native_engine.hpp"
 #include "grains/measures.hpp"
 #include "grains/profiles.hpp"
 #include "process/mpi_session.hpp"
@@ -202,6 +204,43 @@ Series slid(Engine& engine) {
   SlideRecord record{.spacing = {.interval = 5e-4}};
   run_slide(slide, {5e-3}, record);
   return record.series;
+}
+
+TEST(RunSlide, GoesOnWithAdaptiveStepsOnGrainsWithTheSameBits) {
+  constexpr double local_step = 1e-6;
+  const auto new_sample = [] {
+    auto made = std::make_unique<DemSample>(std::make_unique<DoubleEngine>(NativeOptions{.threads = 1}),
+                                            touching_lattice(), EngineSettings{Material{}, local_step, 0.0});
+    made->strain({{0.0, 0.0}, 50, local_step});
+    return made;
+  };
+  const auto first = new_sample();
+  DemSample& sample = *first;
+  SlideSettings settings;
+  settings.slope = slope_of(sample.stress());
+  settings.initial_velocity = 5.0 * settings.slope.liquefiable_thickness;
+  settings.rate = GlobalRate{};
+  settings.passing = {CarryRemainder{10}, local_step, 1000};
+  settings.adaptive = AdaptiveTimeStep{local_step, 4e-6, 60};
+  Slide whole(settings, sample);
+  SlideState state;
+  SampleState grains;
+  for (int step = 0; step < 20; ++step) {
+    if (step == 7) {
+      state = whole.state();
+      grains = sample.state();
+    }
+    whole.step();
+  }
+  EXPECT_GT(state.adaptive.time_step, local_step);  // else the step never changed
+  const auto other = new_sample();
+  Slide second(settings, *other);
+  other->restore(grains);
+  second.restore(state);
+  for (int step = 7; step < 20; ++step) second.step();
+  EXPECT_EQ(second.state().stress.shear, whole.state().stress.shear);
+  EXPECT_EQ(second.state().velocity, whole.state().velocity);
+  EXPECT_EQ(second.state().local_steps, whole.state().local_steps);
 }
 
 TEST(RunSlideRanks, EveryRankHasTheSlopeOfAllGrainsOfLiggghts) {

@@ -159,6 +159,15 @@ rested_strain = 0.2)"));
   EXPECT_CONTAINS(coupling_complaint("n_accum = 10", "n_accum = 10\nstress_interval = 0"), "coupling.stress_interval");
 }
 
+TEST(ReadCoupling, TakesALocalTimeStepThatFollowsTheContacts) {
+  EXPECT_FALSE(coupling_of(with()).adaptive);
+  const std::string key = "n_accum = 10\nlargest_local_time_step = ";
+  const SlideSettings settings = coupling_of(with("n_accum = 10", key + "\"4e-5 s\""));
+  EXPECT_EQ(settings.adaptive->smallest, 1e-5);
+  EXPECT_EQ(settings.adaptive->largest, 4e-5);
+  EXPECT_CONTAINS(coupling_complaint("n_accum = 10", key + "\"9e-6 s\""), "is below local_time_step, 1e-05 s");
+}
+
 TEST(ReadCoupling, TakesEveryChoice) {
   const auto rate = [](const std::string& name) {
     return coupling_of(with("\"constant_inertial_number\"", '"' + name + '"')).rate;
@@ -249,6 +258,8 @@ TEST(ReadStop, TakesWhatThereIs) {
   EXPECT_EQ(all.sliding_velocity, 0.01);
   const StopConditions one = read_stop(Configuration::from_text("[s]\nend_time = \"3 s\"\n"), "s");
   EXPECT_TRUE(std::isinf(one.end_shear_strain) && std::isinf(one.sliding_velocity));
+  EXPECT_TRUE(std::isinf(all.end_velocity));
+  EXPECT_EQ(read_stop(with("end_shear_strain = 5", "end_velocity = \"2 m/s\""), "stop").end_velocity, 2.0);
   const std::string message = message_of<ConfigurationError>([] { read_stop(with("\"10 s\"", "0"), "stop"); });
   EXPECT_CONTAINS(message, "stop.end_time = 0 is not allowed: it must be above 0 s");
 }

@@ -9,78 +9,10 @@
 #include <map>
 #include <numbers>
 
-#include "configuration/error.hpp"
-#include "support/messages.hpp"
+#include "samples_text.hpp"
 
 namespace flowslide {
 namespace {
-
-constexpr const char* text = R"(seed = 7
-[slope]
-saturated_density = "2000 kg/m^3"
-dry_density = "1500 kg/m^3"
-thickness = "2 m"
-liquefiable_thickness = "0.2 m"
-water_table = "0.2 m"
-angle = "5 deg"
-hydraulic_conductivity = "1 mm/s"
-[material]
-density = "2650 kg/m^3"
-youngs_modulus = "2 GPa"
-poisson_ratio = 0.25
-restitution = 0.8
-contact_law = "hertz"
-sliding_friction = 0.5
-rolling_friction = 0.1
-rolling_stiffness = 2.25
-rolling_viscous_damping = 0.13
-[packing]
-lattice = [4, 5, 6]
-smallest_diameter = "5 mm"
-largest_diameter = "7.5 mm"
-[preparation]
-time_step = "1e-5 s"
-loose_void_ratio = 1.2
-compaction_rate = "1 1/s"
-servo_rates = ["0.2 1/s", "0.1 1/s", "0.05 1/s"]
-servo_interval = 30
-stress_tolerance = 1e-3
-kinetic_tolerance = 1e-8
-mixing = "0 m/s"
-drag_reference = "rest"
-drag_stages = [1, 2, 3, 4]
-restitution = 0.7
-allow_uneven = true
-[sample.loose]
-void_ratio = 0.79
-tolerance = 0.002
-most_trials = 8
-preparation_friction = 0.4
-drag = "0.06 kg/s"
-isotropic = false
-[sample.isotropic]
-void_ratio = 0.77
-tolerance = 0.004
-most_trials = 3
-preparation_friction = 0.3
-drag = "0.03 kg/s"
-isotropic = true
-)";
-
-Configuration with(const std::string& from = "", const std::string& to = "") {
-  std::string changed = text;
-  changed.replace(changed.find(from), from.size(), to);
-  return Configuration::from_text(changed, "case.toml");
-}
-
-std::vector<SampleSpecification> samples_of(const Configuration& configuration, int replicate = 0) {
-  return read_samples(configuration, read_slope(configuration), replicate);
-}
-
-/// The message about a configuration in which `to` replaces `from`.
-std::string complaint(const std::string& from, const std::string& to) {
-  return message_of<ConfigurationError>([&] { samples_of(with(from, to)); });
-}
 
 TEST(ReadSlope, TakesEveryPropertyInSiUnits) {
   const SlopeProperties slope = read_slope(with());
@@ -190,6 +122,21 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
   EXPECT_FALSE(samples_of(with("allow_uneven = true", "allow_uneven = false"))[0].allow_uneven);
 }
 
+TEST(ReadSamples, TakeTheChoicesThatThePaperLeavesOpen) {
+  const SampleSpecification plain = samples_of(with())[0];
+  EXPECT_EQ(plain.target.region, VoidRatioRegion::cell);
+  EXPECT_EQ(plain.recipe.glue, Glue::one_layer);
+  EXPECT_EQ(plain.strain_height, StrainHeight::cell);
+  const SampleSpecification decks = samples_of(with("isotropic = false", R"(isotropic = false
+void_ratio_of = "probe"
+glue = "outer share"
+strain_height = "between layers")"))[0];
+  EXPECT_EQ(decks.target.region, VoidRatioRegion::probe);
+  EXPECT_EQ(decks.recipe.glue, Glue::outer_share);
+  EXPECT_EQ(decks.strain_height, StrainHeight::between_layers);
+  EXPECT_CONTAINS(complaint("isotropic = false", "isotropic = false\nglue = \"outer\""), "\"outer share\"");
+}
+
 TEST(ReadSamples, TakeTheStagesInWhichDragActs) {
   using Stages = std::array<bool, 4>;
   EXPECT_EQ(samples_of(with())[0].recipe.drag_stages, (Stages{true, true, true, true}));
@@ -237,10 +184,13 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
       {"material.rolling_friction", {"rolling_friction = 0.1", "rolling_friction = 0.2"}},
       {"material.rolling_stiffness", {"rolling_stiffness = 2.25", "rolling_stiffness = 1"}},
       {"material.rolling_viscous_damping", {"rolling_viscous_damping = 0.13", "rolling_viscous_damping = 0"}},
+      {"material.torsion_resistance", {"torsion_resistance = false", "torsion_resistance = true"}},
+      {"material.normal_force_limited", {"normal_force_limited = false", "normal_force_limited = true"}},
       {"normal_stress", {"\"1500 kg/m^3\"", "\"1600 kg/m^3\""}},
       {"shear_stress", {"isotropic = false", "isotropic = true"}},
       {"preparation_friction", {"preparation_friction = 0.4", "preparation_friction = 0.3"}},
       {"periodic_height", {"isotropic = false", "isotropic = false\nperiodic_height = true"}},
+      {"glue", {"isotropic = false", "isotropic = false\nglue = \"outer share\""}},
       {"drag", {"drag = \"0.06 kg/s\"", "drag = \"0.03 kg/s\""}},
       {"drag_reference", {"\"rest\"", "\"uniform compression\""}},
       {"drag_stages", {"[1, 2, 3, 4]", "[2, 3]"}},
@@ -267,7 +217,7 @@ TEST(ReadSamples, ReadEveryFieldOfTheRecipe) {
 
 TEST(ReadSamples, LeaveOutThoseOfTheBaseThatNoPointNames) {
   const ScratchFolder scratch;
-  scratch.write("paper.toml", text);
+  scratch.write("paper.toml", samples_text);
   const auto samples_with = [&](const std::string& case_file) {
     const Configuration c(Layers{scratch.write("shear/case.toml", "base = '../paper.toml'\n" + case_file), "", {}, {}});
     std::vector<std::string> names;
@@ -320,9 +270,9 @@ TEST(ReadSamples, TakeFrictionsThatWereFoundBefore) {
 }
 
 TEST(ReadSamples, RefuseALatticeThatIsNone) {
-  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:21:18: packing.lattice = 2 is not allowed");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:23:18: packing.lattice = 2 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");
-  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:21:12: ");
+  EXPECT_CONTAINS(complaint("[4, 5, 6]", "[0, 5, 6]"), "case.toml:23:12: ");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, -5, 6]"), "-5");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5]"),
                   "packing.lattice = [4, 5] has 2 values, but 3 are needed; give a list of three");
@@ -335,8 +285,8 @@ TEST(ReadSamples, RefuseALatticeThatIsNone) {
 
 TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
   EXPECT_CONTAINS(complaint("\"5 mm\"", "\"0 mm\""),
-                  "case.toml:22:21: packing.smallest_diameter = \"0 mm\" is not allowed: it must be above 0 m");
-  EXPECT_CONTAINS(complaint("\"5 mm\"", "\"-5 mm\""), "case.toml:22:21: ");
+                  "case.toml:24:21: packing.smallest_diameter = \"0 mm\" is not allowed: it must be above 0 m");
+  EXPECT_CONTAINS(complaint("\"5 mm\"", "\"-5 mm\""), "case.toml:24:21: ");
   EXPECT_CONTAINS(complaint("\"7.5 mm\"", "\"4.9 mm\""),
                   "packing.largest_diameter = \"4.9 mm\" is below packing.smallest_diameter, 0.005 m; change one of "
                   "them");
@@ -344,18 +294,18 @@ TEST(ReadSamples, RefuseSizesThatNoGrainHas) {
 
 TEST(ReadSamples, RefuseAVoidRatioThatNoPackingReaches) {
   EXPECT_CONTAINS(complaint("void_ratio = 0.79", "void_ratio = 0.3"),
-                  "case.toml:38:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
-  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:45:14: sample.isotropic.void_ratio");
-  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:39:13: sample.loose.tolerance = 0");
-  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:40:15: sample.loose.most_trials = 0");
+                  "case.toml:40:14: sample.loose.void_ratio = 0.3 is not allowed: it must be above 0.55 and below 1");
+  EXPECT_CONTAINS(complaint("void_ratio = 0.77", "void_ratio = 1.5"), "case.toml:47:14: sample.isotropic.void_ratio");
+  EXPECT_CONTAINS(complaint("tolerance = 0.002", "tolerance = 0"), "case.toml:41:13: sample.loose.tolerance = 0");
+  EXPECT_CONTAINS(complaint("most_trials = 8", "most_trials = 0"), "case.toml:42:15: sample.loose.most_trials = 0");
 }
 
 TEST(ReadSamples, RefuseAPreparationThatCannotGoOn) {
   EXPECT_CONTAINS(complaint(", \"0.05 1/s\"]", "]"),
                   "preparation.servo_rates = [\"0.2 1/s\", \"0.1 1/s\"] has 2 values, but 3 are needed; give a list");
-  EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:28:27: preparation.servo_rates = \"0 1/s\"");
+  EXPECT_CONTAINS(complaint("\"0.1 1/s\"", "\"0 1/s\""), "case.toml:30:27: preparation.servo_rates = \"0 1/s\"");
   EXPECT_CONTAINS(complaint("loose_void_ratio = 1.2", "loose_void_ratio = 0.9"), "above 0.95");
-  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:42:8: sample.loose.drag");
+  EXPECT_CONTAINS(complaint("drag = \"0.06 kg/s\"", "drag = \"-0.06 kg/s\""), "case.toml:44:8: sample.loose.drag");
   EXPECT_CONTAINS(complaint("isotropic = false\n", ""), "\"sample.loose.isotropic\" is missing: true or false");
 }
 
@@ -382,7 +332,7 @@ TEST(ReadGrainTimeStep, AllowsUpTo065RayleighTimesOfTheSmallestGrain) {
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(-1e-6); }), "it must be above 0 s");
   EXPECT_CONTAINS(message_of<ConfigurationError>([&] { check(0.0); }), "it must be above 0 s");
   EXPECT_CONTAINS(complaint("time_step = \"1e-5 s\"", "time_step = \"2e-5 s\""),
-                  "case.toml:25:13: preparation.time_step = \"2e-5 s\"");
+                  "case.toml:27:13: preparation.time_step = \"2e-5 s\"");
 }
 
 }  // namespace
