@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Which samples jam when they are sheared at constant volume, over shear rate and void ratio: (A) without and (B) with
+# torsion resistance.
+tables = "map.dat"
+command = "./reproduce open_choices"
+script = ARG0; folder = ARG1; picture = ARG2
+here = script[1:strlen(script) - strlen("open_choices.gp")]
+load here."style.gp"
+
+array shown[2] = ["without torsion resistance", "with torsion resistance"]
+# Runs of one rate are drawn side by side, so that samples of one void ratio do not hide each other.
+rate(is, torsion) = column("jams") == is && column("torsion_resistance") == torsion ? column("shear_rate") : NaN
+strain(s) = sprintf("%.1f", s)
+
+do for [format in "png pdf"] {
+  eval terminal(format, 14, 6.6)
+  set output picture.".".format
+  set multiplot layout 1, 2
+  set bmargin at screen 0.16; set tmargin at screen 0.88
+  set logscale x
+  set xrange [0.04:5]
+  set xtics ("0.06" 0.06, "0.3" 0.3, "1" 1, "3" 3)
+  set xlabel "shear rate (1/s)"
+  set ylabel "void ratio {/:Italic e}_0 of the cell" offset 1
+  set yrange [0.75:0.80]
+  set format y "%.2f"
+  set key bottom right Left reverse
+  do for [p = 1:2] {
+    set title panel(word("A B", p), shown[p])
+    plot data(tables) using (rate(1, p - 1)):(column("void_ratio")) with points pointtype 7 pointsize 1 \
+           linecolor rgb vermillion title "jams", \
+         data(tables) using (rate(0, p - 1)):(column("void_ratio")) with points pointtype 6 pointsize 1 \
+           linewidth 1.5 linecolor rgb blue title "stays liquefied", \
+         data(tables) using (rate(1, p - 1)):(column("void_ratio")):(strain(column("strain"))) with labels \
+           left offset 0.6, 0 font ",7" notitle
+  }
+  unset multiplot
+}
