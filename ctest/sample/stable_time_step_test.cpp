@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "dem/native/native_engine.hpp"
 #include "grains/time_step_share.hpp"
 #include "sample/dem_sample.hpp"
 #include "sample/health.hpp"
+#include "support/clustered_cloud.hpp"
+#include "support/elastic_cloud.hpp"
 #include "support/touching_lattice.hpp"
 
 namespace flowslide {
@@ -41,6 +45,28 @@ TEST(StableTimeStep, FallsWithTheVelocityOfTheGrains) {
   };
   // Hertz: the overlap grows as v^(4/5), the stiffness as v^(2/5), and the edge falls as v^(-1/5).
   EXPECT_NEAR(at_speed(0.32) / at_speed(0.01), 0.5, 5e-3);
+}
+
+TEST(StableTimeStep, KeepsTheEnergyOfElasticGrainsThatCollide) {
+  const Material m = frictionless(1.0);
+  Assembly cloud = clustered_cloud(12, cube(0.04, true), {.grains = 80, .overlap = 0.0005, .speed = 0.05});
+  cloud = with_forces(std::move(cloud), m);
+  const double before = energy(cloud);
+  DoubleEngine engine(NativeOptions{.threads = 1});
+  EngineSettings settings{m, 1e-7, 0.0};
+  engine.load(cloud, settings);
+  double longest = 0.0, drift = 0.0;
+  for (int part = 0; part < 200; ++part) {
+    settings.time_step = stable_time_step(engine.save(), m, settings.time_step);
+    longest = std::max(longest, settings.time_step);
+    engine.set(settings);
+    engine.run(20);
+    drift = std::max(drift, std::abs(energy(engine.save()) / before - 1.0));
+  }
+  std::printf("largest change of the energy %.2g of it, longest step %.2g s\n", drift, longest);
+  // Verlet's error of energy in an impact is some (omega dt)^2/8; half of the stable step has omega dt <= 1.
+  EXPECT_LT(drift, 0.125);
+  EXPECT_GT(longest, 1e-6);
 }
 
 TEST(StableTimeStep, OfASoftSampleExceedsTheFractionOfTheRayleighTime) {

@@ -11,6 +11,7 @@
 #include "grains/pair_constants.hpp"
 #include "support/clustered_cloud.hpp"
 #include "support/contact_switches.hpp"
+#include "support/elastic_cloud.hpp"
 
 namespace flowslide {
 namespace {
@@ -36,37 +37,6 @@ Vector3 angular_momentum(const Assembly& a) {
     sum += sphere_mass(a.radius[i], Material{}) * a.position[i].cross(a.velocity[i]) +
            sphere_inertia(a.radius[i], Material{}) * a.spin[i];
   return sum;
-}
-
-/// Motion and normal springs, J: U = 8/15 Y* sqrt(R*) overlap^(5/2).
-double energy(const Assembly& a) {
-  const Material m;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += 0.5 * sphere_mass(a.radius[i], m) * a.velocity[i].squaredNorm() +
-           0.5 * sphere_inertia(a.radius[i], m) * a.spin[i].squaredNorm();
-  for (const TouchingPair& pair : touching_pairs(a)) {
-    const PairConstants c = pair_constants(m, a.radius[pair.first], a.radius[pair.second]);
-    const double distance = a.cell.nearest_image(a.position[pair.first] - a.position[pair.second]).norm();
-    sum += 8.0 / 15.0 * c.effective_modulus * std::sqrt(c.effective_radius) *
-           std::pow(c.radius_first + c.radius_second - distance, 2.5);
-  }
-  return sum;
-}
-
-Material frictionless(double restitution) {
-  Material m;
-  m.restitution = restitution;
-  m.sliding_friction = m.rolling_friction = 0.0;
-  return m;
-}
-
-/// A cloud that starts with the forces of its state, so that the first half kick is there.
-Assembly with_forces(Assembly cloud, const Material& m) {
-  const GrainForces forces = sum_on_grains(evaluate_contact_forces(cloud, m, 0.0), cloud.size());
-  cloud.force = forces.force;
-  cloud.torque = forces.torque;
-  return cloud;
 }
 
 TEST(Invariants, MomentumAndAngularMomentumOfAFreeCloudAreKept) {
