@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "grains/contact_forces.hpp"
+#include "grains/contact_law.hpp"
 #include "grains/measures.hpp"
 #include "grains/pair_constants.hpp"
 
@@ -32,9 +33,12 @@ double kinetic_energy(const Assembly& assembly, const Material& material) {
   return energy;
 }
 
-/// Energy of a Hertz spring, J: with F = k overlap^(3/2) it is (2/5) F overlap.
-double hertz_energy(const PairConstants& pair, double overlap) {
-  return 0.4 * 4.0 / 3.0 * pair.effective_modulus * std::sqrt(pair.effective_radius * overlap) * overlap * overlap;
+/// Energy of a normal spring, J. Its force F = k overlap is a power of the overlap, with the exponent
+/// p = d(ln F)/d(ln overlap) = S/k (3/2 for Hertz); the energy is F overlap / (1 + p).
+double spring_energy(const Material& material, const PairConstants& pair, double overlap) {
+  if (overlap == 0.0) return 0.0;
+  const laws::ContactStiffness stiffness = contact_stiffness(material, pair, overlap);
+  return stiffness.normal * overlap * overlap / (1.0 + stiffness.loading / stiffness.normal);
 }
 
 }  // namespace
@@ -112,12 +116,12 @@ double energy_of(const Assembly& assembly, const Material& material) {
     const double rolling = visit_law(material.contact_law, [&]<typename Law>(Law) {
       return Law::Rolling::stiffness(material, pair, stiffness.normal);
     });
-    energy += hertz_energy(pair, contact.overlap) +
+    energy += spring_energy(material, pair, contact.overlap) +
               0.5 * stiffness.tangential * contact.force.tangential_spring.squaredNorm();
     if (rolling > 0.0) energy += 0.5 * contact.force.rolling_torque.squaredNorm() / rolling;
   }
   for (const PlaneContact& plane : forces.plane_contacts)
-    energy += hertz_energy(plane_constants(material, assembly.radius[plane.grain]), plane.overlap);
+    energy += spring_energy(material, plane_constants(material, assembly.radius[plane.grain]), plane.overlap);
   return energy;
 }
 

@@ -97,7 +97,11 @@ SlopeProperties read_slope(const Configuration& configuration) {
 
 Material read_material(const Configuration& configuration, const TableNames& tables) {
   Material material;
-  read_fields(Tables(configuration, tables), material);
+  const Tables table(configuration, tables);
+  read_fields(table, material);
+  const std::string reason = fmt::format("contact_law = \"{}\" does not use it", name_of(material.contact_law));
+  std::apply([&](const auto&... field) { (material.uses(field.name) ? void() : table.accept({field.name}, reason), ...); },
+             Material::fields());
   return material;
 }
 

@@ -59,6 +59,7 @@ double CriticalStateSample::state_parameter() const {
 }
 
 CellStress CriticalStateSample::strain(const LocalRun& run) {
+  validate(run);
   const double shear = run.rate.shear * run.duration(), compression = run.rate.compression * run.duration();
   const double substeps = std::ceil(std::max(std::abs(shear), std::abs(compression)) / properties_.largest_substep);
   if (!std::isfinite(shear + compression) || substeps > most_substeps)

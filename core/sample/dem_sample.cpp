@@ -52,9 +52,7 @@ Engine& engine_at(const std::unique_ptr<Engine>& engine) {
                               "sample has taken the engine over; make an engine for each sample");
 }
 
-void validate(const LocalRun& run) {
-  require(run.steps >= 0, "number of steps of a run", static_cast<double>(run.steps), ">= 0",
-          "To reverse a strain, change the sign of its rate.");
+void require_finite_rates(const LocalRun& run) {
   for (const auto& [name, rate] :
        {std::pair{"shear", run.rate.shear}, std::pair{"compression", run.rate.compression}})
     require(std::isfinite(rate), fmt::format("{} rate of a run", name), rate, "any finite number, 1/s",
@@ -147,6 +145,7 @@ void DemSample::start_linear_velocity_field(double shear_rate) {
 CellStress DemSample::strain(const LocalRun& run) {
   const std::clock_t start = std::clock();
   validate(run);
+  require_finite_rates(run);
   set_time_step(run.time_step);
   if (steps_ == 0 && linear_at_first_strain_) start_linear_velocity_field(run.rate.shear);
   const double height = engine_.cell().height() - rigid_.bottom - rigid_.top;

@@ -18,6 +18,7 @@ ElasticSample::ElasticSample(const ElasticProperties& properties)
 }
 
 CellStress ElasticSample::strain(const LocalRun& run) {
+  validate(run);
   const double compression = run.rate.compression * run.duration();
   shear_strain_ += run.rate.shear * run.duration();
   compression_ += compression;

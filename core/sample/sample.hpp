@@ -27,6 +27,9 @@ struct LocalRun {
   double duration() const { return static_cast<double>(steps) * time_step; }
 };
 
+/// Throws std::invalid_argument if the number of steps is negative.
+void validate(const LocalRun& run);
+
 /// A soil sample that returns stress for strain: the constitutive law of the slope.
 class Sample {
  public:

@@ -10,7 +10,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double reserve = 0.5;
+constexpr double reserve = 0.8;
 
 /// Two equal grains of `radius` (m) at the largest overlap (m) of a head-on impact.
 Assembly impact(double radius, double overlap) {

@@ -122,6 +122,11 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
   EXPECT_FALSE(samples_of(with("allow_uneven = true", "allow_uneven = false"))[0].allow_uneven);
 }
 
+TEST(ReadMaterial, SaysWhyAParameterOfAnotherLawHasNoEffect) {
+  const Configuration configuration = with("contact_law = \"hertz\"", "contact_law = \"hertz\"\ncharacteristic_velocity = \"1 m/s\"");
+  EXPECT_NO_THROW(read_material(configuration));
+}
+
 TEST(ReadSamples, TakeTheChoicesThatThePaperLeavesOpen) {
   const SampleSpecification plain = samples_of(with())[0];
   EXPECT_EQ(plain.target.region, VoidRatioRegion::cell);

@@ -24,11 +24,11 @@ namespace {
 
 constexpr double step = 1e-6;  // s
 
-TEST(StableTimeStep, IsHalfOfWhatTheContactsBear) {
+TEST(StableTimeStep, IsAShareOfWhatTheContactsBear) {
   Assembly lattice = touching_lattice();
   const double share = time_step_share(lattice, Material{}, step);
   ASSERT_GT(share, 0.0);
-  EXPECT_DOUBLE_EQ(stable_time_step(lattice, Material{}, step), 0.5 * time_step_below_edge(step, share));
+  EXPECT_DOUBLE_EQ(stable_time_step(lattice, Material{}, step), 0.8 * time_step_below_edge(step, share));
 }
 
 TEST(StableTimeStep, FallsWithTheVelocityOfTheGrains) {
@@ -64,8 +64,8 @@ TEST(StableTimeStep, KeepsTheEnergyOfElasticGrainsThatCollide) {
     drift = std::max(drift, std::abs(energy(engine.save()) / before - 1.0));
   }
   std::printf("largest change of the energy %.2g of it, longest step %.2g s\n", drift, longest);
-  // Verlet's error of energy in an impact is some (omega dt)^2/8; half of the stable step has omega dt <= 1.
-  EXPECT_LT(drift, 0.125);
+  // Verlet's error of energy in an impact is some (omega dt)^2/8; omega dt is at most 1.6.
+  EXPECT_LT(drift, 0.32);
   EXPECT_GT(longest, 1e-6);
 }
 
