@@ -100,8 +100,10 @@ Material read_material(const Configuration& configuration, const TableNames& tab
   const Tables table(configuration, tables);
   read_fields(table, material);
   const std::string reason = fmt::format("contact_law = \"{}\" does not use it", name_of(material.contact_law));
-  std::apply([&](const auto&... field) { (material.uses(field.name) ? void() : table.accept({field.name}, reason), ...); },
-             Material::fields());
+  const auto accept = [&](const auto& field) {
+    if (!material.uses(field.name)) table.accept({field.name}, reason);
+  };
+  std::apply([&](const auto&... field) { (accept(field), ...); }, Material::fields());
   return material;
 }
 
