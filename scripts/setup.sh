@@ -68,20 +68,22 @@ install_packages() {
   quietly "install Debian packages: ${missing[*]}" "$root/build/apt.log" "${as_root[@]}" "${quiet[@]}" "${install[@]}" "${options[@]}" </dev/null
 }
 
-# build PRESET [TARGET]: configures and builds TARGET (default: all) into build/PRESET. A lock lets one build run at a
-# time.
+# build PRESET [TARGET...]: configures and builds the targets (default: all) into build/PRESET. A lock lets one build run
+# at a time.
 build() {
-  local preset=$1 target=${2:-all}
+  local preset=$1
+  shift
+  (($#)) || set -- all
   mkdir -p "$root/build"
   (
     flock 9
     cd "$root" || exit
     quietly "configure (preset $preset)" "$root/build/$preset-configure.log" cmake --preset "$preset"
-    quietly "build into build/$preset (minutes when new)" "$root/build/$preset-build.log" cmake --build --preset "$preset" --target "$target"
+    quietly "build into build/$preset (minutes when new)" "$root/build/$preset-build.log" cmake --build --preset "$preset" --target "$@"
   ) 9>"$root/build/.lock"
 }
 
-# set_up PRESET [TARGET]: installs missing packages and builds.
+# set_up PRESET [TARGET...]: installs missing packages and builds.
 set_up() {
   install_packages
   build "$@"
