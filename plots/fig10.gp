@@ -20,7 +20,7 @@ array share[3] = ["⟨{/:Italic v_x}⟩ / ⟨{/:Italic v_x}⟩_{top}", \
 names = names_in("RD_ramp_profiles_band.dat")
 # A run that ends before the strain of a profile has no such profile.
 profile(q, i, of) = optional(names, sprintf("%s_%d_%s", word(quantities, q), i, of))
-last_layer = rows("RD_ramp_profiles_band.dat") - 1
+last_layer = rows("RD_ramp_profiles_band.dat") > 2 ? rows("RD_ramp_profiles_band.dat") - 1 : 2
 corner = stated("RD_ramp", "bars: lowest to highest of the samples, marks: median; open: sublayers with glued grains")
 # The labels of the profiles, in groups; tables of older versions do not name them.
 state(i) = label_of(sprintf("profile_%d_is", i))

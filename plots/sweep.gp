@@ -64,6 +64,7 @@ do for [format in "png pdf"] {
            with lines linewidth (s eq "RD" ? 1.2 : 0.8) linecolor rgb colour(s, inset) notitle
     set border 3; set tics font ",8" offset 0, 0; set xtics autofreq; set ytics autofreq
     set xrange [0:*] noextend
+    eval frame(bands, "set xrange [0:1]")
     set xlabel "sliding distance {/:Italic x} (m)" font ",8" offset 0, 0; set ylabel font ",8" offset 0, 0
   }
 
