@@ -116,7 +116,7 @@ do for [format in "png pdf"] {
   set title ""; unset xlabel; unset ylabel; unset border; unset tics
   set xrange [0:1]; set yrange [0:1]
   set key at screen (has_errors ? 0.53 : 0.04), (has_errors ? row_top(4) : of_height(key_height - 0.1)) left top Left reverse \
-    samplen 3 width 2 maxrows (has_errors ? 20 : 4)
+    samplen 3 width 2 maxrows (has_errors ? 20 : 5)
   plot 2 notitle, \
        for [i = 1:4] keyentry with lines linewidth width(i) linecolor rgb ordered(i, 4) \
          title "{/:Italic Δt_G} = ".label_of(slide_name(1, 1, i))." s", \

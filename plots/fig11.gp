@@ -39,7 +39,7 @@ do for [format in "png pdf"] {
 
   set offsets
   set title panel("B", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [lowest:62]; set ytics lowest, 5, 30   # the upper half is that of the inset
   unset key
   plot for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_lowest")): \

@@ -53,7 +53,7 @@ do for [format in "png pdf"] {
   set offsets
 
   set title panel("B", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [lowest:30]
   unset key
   plot for [s in "RI RD"] for [i = 1:3] wide(s, i) \

@@ -70,7 +70,7 @@ do for [format in "png pdf"] {
 
   eval place(0.44, 0.74, 0.16, 0.86)
   set title panel("B", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [lowest:30]
   if (lowest < 0) { set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead linewidth 0.6 dashtype 3 linecolor rgb grey }
   plot for [i = 1:curves] coarse("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
