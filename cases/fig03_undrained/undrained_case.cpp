@@ -25,14 +25,15 @@ const std::map<std::string, double> paper_void_ratios{
 
 /// "{I} = 2×10^{−2}", with one digit: the void ratio found changes the others.
 std::string label_of_number(double inertial_number) {
-  return "{/:Italic I} = " + label_of_quantity(std::stod(fmt::format("{:.0e}", inertial_number)));
+  const double power = std::pow(10.0, std::floor(std::log10(inertial_number)));
+  return "{/:Italic I} = " + label_of_quantity(std::round(inertial_number / power) * power);
 }
 
 /// Label of a curve: the inertial number of the test, or the median void ratio of its samples and, in brackets, that of
 /// the paper. Empty for other curves.
 std::string label_of(const std::string& name, const Ensemble& ensemble) {
   const double number = statistics_of(ensemble, "initial_inertial_number").median;
-  if (name.starts_with("I_")) return std::isfinite(number) ? label_of_number(number) : "";
+  if (name.starts_with("I_")) return std::isfinite(number) && number > 0.0 ? label_of_number(number) : "";
   if (!name.starts_with("e0")) return "";
   const auto paper = paper_void_ratios.find(name);
   const std::string own = fmt::format("{:.3f}", statistics_of(ensemble, "initial_void_ratio").median);
