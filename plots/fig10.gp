@@ -48,7 +48,7 @@ do for [format in "png pdf"] {
     } else {
       set nonlinear x via stretched(x) inverse back(x)
       set xrange [first(q):last(q)]
-      if (q == 2) { set xtics (-10, -1, 0, 1, 2, 10) } else { set xtics (-1, 0, 0.5, 1, 1.5, 2, 5) }
+      if (first(q) < -0.5) { set xtics (-10, -1, 0, 1, 2, 10) } else { set xtics (-1, 0, 0.5, 1, 1.5, 2, 5) }
     }
     set arrow 1 from first (q == 1 ? 0 : 1), 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
     if (q == 1) {

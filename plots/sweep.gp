@@ -29,12 +29,12 @@ do for [format in "png pdf"] {
   set output picture.".".format
   set multiplot title corner @in_corner
   set xlabel "sliding distance {/:Italic x} (m)"
-  set xrange [0:*] noextend
+  set xrange [0:0.5 < *] noextend
 
   eval place(0.075, 0.365, 0.16, 0.86)
   set title panel("A", "sliding velocity")
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
-  set yrange [0:*]
+  set yrange [0:0.5 < *]
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
   set key at screen 0.775, screen 0.9 left top Left reverse title key_title left samplen 2.6
   plot for [i = 1:curves] for [r = 1:replicates(slide("RD", i))] replicate_file(slide("RD", i), r) \
@@ -63,7 +63,7 @@ do for [format in "png pdf"] {
            using (milli * column("displacement")):(milli * column("velocity")) \
            with lines linewidth (s eq "RD" ? 1.2 : 0.8) linecolor rgb colour(s, inset) notitle
     set border 3; set tics font ",8" offset 0, 0; set xtics autofreq; set ytics autofreq
-    set xrange [0:*] noextend
+    set xrange [0:0.5 < *] noextend
     eval frame(bands, "set xrange [0:1]")
     set xlabel "sliding distance {/:Italic x} (m)" font ",8" offset 0, 0; set ylabel font ",8" offset 0, 0
   }
@@ -83,7 +83,7 @@ do for [format in "png pdf"] {
   set title panel("C", "largest velocity")
   set xlabel largest_title
   set ylabel "{/:Italic v}_{max} (m/s)" offset 1
-  set yrange [0:*]; set offsets 0, 0, graph 0.1, 0
+  set yrange [0:0.5 < *]; set offsets 0, 0, graph 0.1, 0
   eval largest_key
   set key samplen 0.5 notitle
   eval last_x
