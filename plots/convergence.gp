@@ -53,7 +53,8 @@ height = head_height + rows_drawn * panel_height + (has_errors ? 0 : key_height)
 of_height(cm) = cm / height
 row_top(row) = 1 - of_height(head_height + (row - 1) * panel_height + 0.5)
 row_bottom(row) = 1 - of_height(head_height + row * panel_height - 1.25)
-place(row, c) = sprintf("set lmargin at screen %g; set rmargin at screen %g; set bmargin at screen %g; set tmargin at screen %g", \
+place(row, c) = sprintf("set lmargin at screen %g; set rmargin at screen %g; \
+set bmargin at screen %g; set tmargin at screen %g", \
   c == 1 ? 0.105 : 0.61, c == 1 ? 0.475 : 0.975, row_bottom(row), row_top(row))
 in_errors(w) = strcol("passing") eq way(w) ? column("error") : NaN
 

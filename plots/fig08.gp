@@ -48,7 +48,8 @@ do for [format in "png pdf"] {
          with lines linewidth 1 linecolor rgb colour[i] notitle, \
        one(1) using (column("time")):(kilo * column("driving_stress")) \
          with lines linewidth 1 dashtype 2 linecolor rgb 0x404040 notitle, \
-       for [m = 1:2] for [i = 1:2] marks using (of_slide(i, state(m)."time")):(kilo * of_slide(i, state(m)."shear_stress")) \
+       for [m = 1:2] for [i = 1:2] marks using (of_slide(i, state(m)."time")): \
+         (kilo * of_slide(i, state(m)."shear_stress")) \
          with points pointtype mark[m] pointsize 1.1 linewidth 1.2 linecolor rgb colour[i] notitle
   unset label 1
 
@@ -77,7 +78,8 @@ do for [format in "png pdf"] {
          with lines linewidth 1 @dashes linecolor rgb dark(colour[2]) title "RI, at the slope's rate", \
        for [i = 1:2] one(i) using (column("time")):(column("inertial_number")) \
          with lines linewidth 1 linecolor rgb colour[i] title word("RD RI", i).", applied", \
-       for [m = 1:2] for [i = 1:2] marks using (of_slide(i, state(m)."time")):(of_slide(i, state(m)."global_inertial_number")) \
+       for [m = 1:2] for [i = 1:2] marks using (of_slide(i, state(m)."time")): \
+         (of_slide(i, state(m)."global_inertial_number")) \
          with points pointtype mark[m] pointsize 1.1 linewidth 1.2 linecolor rgb colour[i] notitle
   unset logscale y; set format y "% h"
   unset multiplot

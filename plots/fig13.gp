@@ -31,9 +31,11 @@ on_axis(k) = tens * column(axis)
 largest_title = "{/:Italic k} (10^{−5} m/s)"
 mark_critical = ""
 if (lower == lower) {   # false for NaN: there is no critical k
-  mark_critical = sprintf("set object 1 rectangle from first %g, graph 0 to first %g, graph 1 fillcolor rgb grey fillstyle solid 0.25 noborder behind;", tens * lower, tens * upper)
+  mark_critical = sprintf("set object 1 rectangle from first %g, graph 0 to first %g, graph 1 \
+    fillcolor rgb grey fillstyle solid 0.25 noborder behind;", tens * lower, tens * upper)
 }
-mark_critical = mark_critical.sprintf("set arrow 1 from first %g, graph 0 to first %g, graph 1 nohead dashtype 2 linecolor rgb black", tens * papers, tens * papers)
+mark_critical = mark_critical.sprintf("set arrow 1 from first %g, graph 0 to first %g, graph 1 \
+  nohead dashtype 2 linecolor rgb black", tens * papers, tens * papers)
 inset = 0   # of no curve
 largest_key = "set key at graph 1.05, graph 1.05 right top Right noreverse"
 load here."sweep.gp"

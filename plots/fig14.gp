@@ -25,10 +25,12 @@ void_ratio = optional(names_in("sweep.dat"), "RD_initial_void_ratio_median")
 axis = "paper_void_ratio"; parameter(i) = 1e-3 * word(void_ratios, i)
 on_axis(k) = column(void_ratio)
 # Without values, or with one void ratio only (a closed-form sample), there is no range.
-least_e = least_of("sweep.dat", "RD_initial_void_ratio_median"); largest_e = largest_of("sweep.dat", "RD_initial_void_ratio_median")
+least_e = least_of("sweep.dat", "RD_initial_void_ratio_median")
+largest_e = largest_of("sweep.dat", "RD_initial_void_ratio_median")
 margin = largest_e - least_e > 1e-6 ? 0.15 * (largest_e - least_e) : 0.05
 last_x = least_e == least_e ? sprintf("set xrange [%g:%g]; set xtics (%.3f, %.3f); set format x '%%.3f'", \
-  least_e - margin, largest_e + margin, least_e, largest_e) : "set xrange [0.7:0.9]"
+  least_e - margin, largest_e + margin, least_e, largest_e) : \
+  "set xrange [0.7:0.9]"
 largest_title = "our {/:Italic e}_0"
 mark_critical = ""
 inset = 4

@@ -10,8 +10,10 @@ load here."style.gp"
 
 scan = data("time_step_details.dat"); scan_names = names_in("time_step_details.dat")
 # Number of grains and of samples; tables of older versions lack the first.
-grains = optional(scan_names, "grains") eq "" ? "{/:Italic N} not recorded" : sprintf("{/:Italic N} = %d grains", first_of("time_step_details.dat", "grains"))
-corner = changed.asked("scale", "", tables).grains.sprintf(", %d samples; one mark for each sample and time step", words(values_of(tables, "sample")))
+grains = optional(scan_names, "grains") eq "" ? "{/:Italic N} not recorded" : \
+  sprintf("{/:Italic N} = %d grains", first_of("time_step_details.dat", "grains"))
+corner = changed.asked("scale", "", tables).grains. \
+  sprintf(", %d samples; one mark for each sample and time step", words(values_of(tables, "sample")))
 
 do for [format in "png pdf"] {
   eval terminal(format, 14, 7)

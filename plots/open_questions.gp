@@ -19,7 +19,8 @@ array names[2] = [names_in(word(profiles, 1)), names_in(word(profiles, 2))]
 velocity(s, of) = optional(names[s], "velocity_3_".of)   # at 30 % strain
 states(kind) = data("mu_of_I_".kind.".dat")
 named(kind) = sprintf("{/:Italic e} = %.2f", mean_of("mu_of_I_".kind.".dat", "void_ratio"))
-corner = stated("hold_glued hold_homogeneous pulse_glued pulse_homogeneous", "bars: lowest to highest of the samples, marks: median; B: other {/:Italic N}, too")
+corner = stated("hold_glued hold_homogeneous pulse_glued pulse_homogeneous", \
+  "bars: lowest to highest of the samples, marks: median; B: other {/:Italic N}, too")
 several(least, largest) = column(least) < column(largest)   # no bar for one sample
 array kind_mark[3] = [7, 4, 8]; array kind_colour[3] = [blue, orange, purple]
 

@@ -31,7 +31,8 @@ do for [format in "png pdf"] {
   set format y "%.2f"
   set key bottom right reverse Left title lines_are
   plot for [i = 1:words(lines)] map using (of(word(lines, i), column("preparation_friction"))): \
-         (column("initial_bulk_void_ratio")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb ordered((i - 1) % 6 + 1, words(lines) > 6 ? 6 : words(lines)) title word(lines, i)
+         (column("initial_bulk_void_ratio")) \
+         with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 linecolor rgb ordered((i - 1) % 6 + 1, words(lines) > 6 ? 6 : words(lines)) title word(lines, i)
 
   unset key
   set xtics 0.04

@@ -8,10 +8,12 @@ largest(s, of) = optional(sweep_names, s."_largest_velocity_".of)   # missing if
 median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
 coarse(scheme, i) = data(slide(scheme, i)."_coarse.dat")
 sweep = data("sweep.dat")
-corner = stated(names, "thick: median; thin: each sample; bars: lowest to highest of the samples".(inset > 0 ? "; inset: ".label_of(slide("RD", inset))." alone" : ""))
+corner = stated(names, "thick: median; thin: each sample; bars: lowest to highest of the samples". \
+  (inset > 0 ? "; inset: ".label_of(slide("RD", inset))." alone" : ""))
 least = least_of(coarse_bands, "pore_pressure_median")   # below 0: suction
 lowest = least < 0 ? 5 * floor(kilo * least / 5) : 0
-several(s, value) = column(largest(s, "lowest")) < column(largest(s, "highest")) ? value : NaN   # no bar for one sample
+# No bar for one sample.
+several(s, value) = column(largest(s, "lowest")) < column(largest(s, "highest")) ? value : NaN
 of_curve(i, x) = abs(column(optional(sweep_names, axis)) - parameter(i)) < 1e-6 * abs(parameter(i)) + 1e-12 ? x : NaN
 colour(s, i) = s eq "RD" ? ordered(i, curves) : dark(ordered(i, curves))
 mark(s) = s eq "RD" ? 7 : 6
@@ -38,7 +40,8 @@ do for [format in "png pdf"] {
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
   set key at screen 0.775, screen 0.9 left top Left reverse title key_title left samplen 2.6
   plot for [i = 1:curves] for [r = 1:replicates(slide("RD", i))] replicate_file(slide("RD", i), r) \
-         using (column("displacement")):(column("velocity")) with lines linewidth 0.3 linecolor rgb ordered(i, curves) notitle, \
+         using (column("displacement")):(column("velocity")) \
+         with lines linewidth 0.3 linecolor rgb ordered(i, curves) notitle, \
        for [i = 1:curves] for [r = 1:replicates(slide("RI", i))] replicate_file(slide("RI", i), r) \
          using (column("displacement")):(column("velocity")) with lines linewidth 0.4 @dashes \
          linecolor rgb dark(ordered(i, curves)) notitle, \
@@ -46,7 +49,8 @@ do for [format in "png pdf"] {
          with lines linewidth 2 linecolor rgb ordered(i, curves) notitle, \
        for [i = 1:curves] median("RI", i) using (column("displacement")):(column("velocity_median")) \
          with lines linewidth 1.3 @dashes linecolor rgb dark(ordered(i, curves)) notitle, \
-       for [i = 1:curves] keyentry with lines linewidth 2 linecolor rgb ordered(i, curves) title label_of(slide("RD", i)), \
+       for [i = 1:curves] keyentry with lines linewidth 2 linecolor rgb ordered(i, curves) \
+         title label_of(slide("RD", i)), \
        keyentry with lines linewidth 2 linecolor rgb black title "RD", \
        keyentry with lines linewidth 1.3 @dashes linecolor rgb black title "RI"
   unset key
@@ -72,7 +76,9 @@ do for [format in "png pdf"] {
   set title panel("B", "excess pore pressure")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [lowest:30]
-  if (lowest < 0) { set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead linewidth 0.6 dashtype 3 linecolor rgb grey }
+  if (lowest < 0) {
+    set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead linewidth 0.6 dashtype 3 linecolor rgb grey
+  }
   plot for [i = 1:curves] coarse("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.6 linecolor rgb ordered(i, curves) notitle, \
        for [i = 1:curves] coarse("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
@@ -91,7 +97,8 @@ do for [format in "png pdf"] {
   eval mark_critical
   plot for [s in "RD RI"] sweep using (on_axis(0)):(column(largest(s, "median"))) \
          with lines linewidth 0.8 linecolor rgb grey notitle, \
-       for [i = 1:curves] for [s in "RD RI"] sweep using (of_curve(i, on_axis(0))):(several(s, column(largest(s, "median")))): \
+       for [i = 1:curves] for [s in "RD RI"] sweep using (of_curve(i, on_axis(0))): \
+         (several(s, column(largest(s, "median")))): \
          (column(largest(s, "lowest"))):(column(largest(s, "highest"))) \
          with yerrorbars linewidth (s eq "RD" ? 2 : 0.8) pointtype -1 linecolor rgb colour(s, i) notitle, \
        for [i = 1:curves] for [s in "RD RI"] sweep using (of_curve(i, on_axis(0))):(column(largest(s, "median"))) \

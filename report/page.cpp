@@ -81,7 +81,8 @@ std::string figure_html(const Figure& figure, const std::filesystem::path& folde
   if (std::filesystem::exists(document.replace_extension(".pdf")))
     link = fmt::format(" <a href=\"{}\">PDF</a>", link_from(folder, document));
   return fmt::format(
-      "<figure id=\"{0}\"><div class=\"wide\"><img src=\"{1}\" alt=\"{2}\"></div><figcaption>{2}{3}</figcaption></figure>\n",
+      "<figure id=\"{0}\"><div class=\"wide\"><img src=\"{1}\" alt=\"{2}\"></div>"
+      "<figcaption>{2}{3}</figcaption></figure>\n",
       escaped(figure.name), data_url(figure.picture, "image/png"), escaped(caption), link);
 }
 

@@ -36,13 +36,15 @@ seen() {
   { cat "$1"; echo '<script>addEventListener("load", () => {
       document.querySelectorAll("details").forEach(d => { d.open = true; });
       const drawn = [...document.images].filter(i => i.complete && i.naturalWidth > 0);
-      const loaded = [...document.querySelectorAll("[src], link[href]")].filter(e => !(e.src || e.href).startsWith("data:")).length;
+      const loaded = [...document.querySelectorAll("[src], link[href]")]
+        .filter(e => !(e.src || e.href).startsWith("data:")).length;
       const of = selector => document.querySelectorAll(selector).length;
       const wide = document.documentElement.scrollWidth > innerWidth + 1 ? 1 : 0;
       const faint = drawn.filter(i => i.getBoundingClientRect().width < 600).length;
       const cut = innerWidth > 600 ? 0 :
         [...document.querySelectorAll("table")].filter(t => t.scrollWidth > t.parentElement.clientWidth + 1).length;
-      top.document.title = ["SEEN", drawn.length, of("figure"), of(".claims .mark"), loaded, wide + faint + cut].join(" "); });</script>'
+      top.document.title =
+        ["SEEN", drawn.length, of("figure"), of(".claims .mark"), loaded, wide + faint + cut].join(" "); });</script>'
   } >"$room/inner.html"
   { printf '<!DOCTYPE html><body><iframe style="width: %dpx; height: 900px" srcdoc="' "${2:-1280}"
     sed -e 's/&/\&amp;/g' -e 's/"/\&quot;/g' "$room/inner.html"

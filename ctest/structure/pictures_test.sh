@@ -25,8 +25,11 @@ unread() {
     fig08_trigger) echo '*_r?.dat *_r?_profiles.dat *_profiles.dat R?_ramp_over_shear_strain.dat R?_hold_over_time.dat' ;;
     fig12_pulse) echo '*_r?.dat *_over_time.dat R?_[45]kPa.dat' ;;
     fig13_k | fig14_e0) echo '*_over_time.dat' ;;
-    open_questions) echo 'flow_* probe_* pulse_* hold_*_over* hold_*_profiles.dat hold_*_r?.dat hold_glued.dat hold_homogeneous.dat' ;;
-    speed_error) echo 'element.dat element_[A-Zdlmn]* element_fast* trigger.dat trigger_[A-Zdehlmnps]* trigger_fast* pulse.dat pulse_[A-Zdehlmns]* pulse_fast* pulse_r?.dat trigger_r?.dat element_r?.dat' ;;
+    open_questions)
+      echo 'flow_* probe_* pulse_* hold_*_over* hold_*_profiles.dat hold_*_r?.dat hold_glued.dat hold_homogeneous.dat' ;;
+    speed_error)
+      echo 'element.dat element_[A-Zdlmnr]* element_fast* trigger.dat trigger_[A-Zdehlmnprs]* trigger_fast*' \
+        'pulse.dat pulse_[A-Zdehlmnrs]* pulse_fast*' ;;
     hard) echo '[a-su-z]*.dat time_step.dat' ;;
   esac
 }
