@@ -29,10 +29,11 @@ do for [table in tables] {
 }
 edge = 0.01 * (right - left)
 
-width = 14; height = 7   # cm
+corner = stated("e0_790", "first sample")
+width = 14; height = 7.4   # cm
 eval terminal("png", width, height)
 set output picture.".png"
-set multiplot layout 1, 2 margins 0.01, 0.99, 0.01, 0.92 spacing 0.02
+set multiplot layout 1, 2 margins 0.01, 0.99, 0.01, 0.87 spacing 0.02 title corner @in_corner
 set size ratio -1
 unset border; unset tics; unset key
 set xrange [left - edge:right + edge]; set yrange [bottom - edge:top + edge]

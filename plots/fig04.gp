@@ -11,6 +11,7 @@ array colour[2] = [blue, vermillion]
 array mark[2] = [6, 4]
 table(i) = data(word(points, i).".dat")
 other_table(i) = other(word(points, i).".dat")
+corner = stated(points, "curves: first sample")
 # About thirty marks per curve, so that the line below stays visible.
 array step[2]
 do for [i = 1:2] {
@@ -19,16 +20,16 @@ do for [i = 1:2] {
 }
 
 do for [format in "png pdf"] {
-  eval terminal(format, 14, 6.6)
+  eval terminal(format, 14, 7)
   set output picture.".".format
-  set multiplot layout 1, 2
+  set multiplot layout 1, 2 margins 0.085, 0.975, 0.18, 0.84 spacing 0.11 title corner @in_corner
 
   set title panel("A", "stress path")
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
   set xrange [0:30 < *]; set yrange [0:*]
-  set offsets 0, 0, graph 0.25, 0   # room for the key
-  set key at graph 0.02, 1 left top Left reverse
+  set offsets 0, 0, graph 0.4, 0   # room for the key
+  set key at graph 0.02, 1.02 left top Left reverse
   plot for [i = 1:2] table(i) using (kilo * column("bagi_normal_stress")):(kilo * column("bagi_shear_stress")) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label_of(word(points, i)).", Bagi", \
        for [i = 1:2] other_table(i) using (kilo * column("bagi_normal_stress")): \
@@ -39,6 +40,7 @@ do for [format in "png pdf"] {
   set title panel("B", "stress-strain response")
   set xlabel "shear strain {/:Italic γ} (%)"
   set xrange [0:*] noextend
+  set offsets 0, 0, graph 0.05, 0
   unset key
   plot for [i = 1:2] table(i) using (percent * column("shear_strain")):(kilo * column("bagi_shear_stress")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle, \
@@ -47,6 +49,7 @@ do for [format in "png pdf"] {
        for [i = 1:2] table(i) every step[i] using (percent * column("shear_strain")): \
          (kilo * column("nicot_shear_stress")) with points pointtype mark[i] pointsize 0.6 linecolor rgb black notitle
 
+  set offsets
   unset multiplot
   set output
 }

@@ -4,6 +4,6 @@
 command = "./reproduce fig06"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig06.gp")]
-ways = "RI 1"
+ways = "RI"
 array way_label[1] = ["eq. 15"]
 load here."convergence.gp"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 11: runout after a pulse of 3 kPa, RD against RI: (A) velocity, (B) excess pore pressure, (C) stress path
-# of the first sample (the inset of the paper).
+# Figure 11: runout after a pulse of 3 kPa, RD against RI: (A) velocity, (B) excess pore pressure, with the stress path
+# of the first sample up to 10 % strain as an inset.
 bands = "RD_3kPa_over_displacement.dat RI_3kPa_over_displacement.dat"
 wide_bands = "RD_3kPa_windows.dat RI_3kPa_windows.dat"
 slides = "RD_3kPa.dat RI_3kPa.dat"
@@ -15,11 +15,14 @@ array label[2] = ["rate-dependent (RD)", "rate-independent (RI)"]
 band(i) = data(word(bands, i))
 wide(i) = data(word(wide_bands, i))
 one(i) = data(word(slides, i))
+corner = stated("RD_3kPa RI_3kPa", range_of_samples."; inset: first sample")
+least = least_of(wide_bands, "pore_pressure_lowest")   # below 0: suction
+lowest = least < 0 ? 5 * floor(kilo * least / 5) : 0
 
 do for [format in "png pdf"] {
-  eval terminal(format, 19, 6.2)
+  eval terminal(format, 15, 7.6)
   set output picture.".".format
-  set multiplot layout 1, 3
+  set multiplot layout 1, 2 margins 0.08, 0.98, 0.165, 0.855 spacing 0.11 title corner @in_corner
   set xlabel "sliding distance {/:Italic x} (m)"
   set xrange [0:*] noextend
 
@@ -36,19 +39,25 @@ do for [format in "png pdf"] {
 
   set offsets
   set title panel("B", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
-  set yrange [0:30]
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
+  set yrange [lowest:62]; set ytics lowest, 5, 30   # the upper half is that of the inset
   unset key
   plot for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_lowest")): \
          (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
        for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle
 
-  set title panel("C", "stress path to liquefaction")
-  set xlabel "normal stress {/:Italic σ} (kPa)"; set ylabel "shear stress {/:Italic τ} (kPa)"
+  set lmargin at screen 0.68; set rmargin at screen 0.97
+  set bmargin at screen 0.62; set tmargin at screen 0.84
+  set title ""
+  set border 15; set tics font ",6" offset 0.3, 0.3; set ytics 2; set xtics 10
+  set xlabel "{/:Italic σ} (kPa)" font ",6" offset 0, 1.4; set ylabel "{/:Italic τ} (kPa)" font ",6" offset 2.2
   set xrange [0:30]; set yrange [0:6]
   plot for [i = 1:2] one(i) using (column("shear_strain") < 0.1 ? kilo * column("normal_stress") : NaN): \
     (kilo * column("shear_stress")) with lines linewidth 1.2 linecolor rgb colour[i] notitle
+  set border 3; set tics font ",8" offset 0, 0; set xtics autofreq; set ytics autofreq
+  set xlabel font ",8" offset 0, 0; set ylabel font ",8" offset 0, 0
+  unset lmargin; unset rmargin; unset bmargin; unset tmargin
   unset multiplot
   set output
 }

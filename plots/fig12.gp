@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Figure 12: pulses of three amplitudes, RD (solid) and RI (dashed) with the bands of their replicates: (A) velocity,
-# (B) excess pore pressure.
+# Figure 12: pulses of three amplitudes, RD (solid) and RI (dark dashes): (A) velocity, (B) excess pore pressure, (C)
+# largest velocity of RD over the amplitude. The paper's claim that RD forgets the amplitude holds if the medians in C
+# differ less than the bars are long.
 amplitudes = "3 4 5"
 slide(scheme, i) = scheme."_".word(amplitudes, i)."kPa"
-bands = ""; wide_bands = ""
+bands = ""; wide_bands = ""; names = ""
 do for [i = 1:3] {
   do for [s in "RD RI"] {
     bands = bands." ".slide(s, i)."_over_displacement.dat"
     wide_bands = wide_bands." ".slide(s, i)."_windows.dat"
+    names = names." ".slide(s, i)
   }
 }
 tables = "legend.txt".bands.wide_bands
@@ -16,42 +18,65 @@ script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("fig12.gp")]
 load here."style.gp"
 
-array colour[3] = [sky, purple, vermillion]
 table(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
 wide(scheme, i) = data(slide(scheme, i)."_windows.dat")
+corner = stated(names, "bands and bars: lowest to highest of the samples, lines: median")
+least = least_of(wide_bands, "pore_pressure_lowest")   # below 0: suction
+lowest = least < 0 ? 5 * floor(kilo * least / 5) : 0
+has_largest = readable(path("sweep.dat"))   # tables of older versions lack it
+largest(of) = optional(names_in("sweep.dat"), "RD_largest_velocity_".of)
+by_amplitude(i, value) = abs(kilo * column("amplitude") - word(amplitudes, i)) < 1e-6 ? value : NaN
 
 do for [format in "png pdf"] {
-  eval terminal(format, 14, 6.6)
+  eval terminal(format, has_largest ? 18 : 14, 7)
   set output picture.".".format
-  set multiplot layout 1, 2
+  set multiplot layout 1, (has_largest ? 3 : 2) margins (has_largest ? 0.07 : 0.09), 0.985, 0.18, 0.84 \
+    spacing (has_largest ? 0.08 : 0.11) title corner @in_corner
   set xlabel "sliding distance {/:Italic x} (m)"
   set xrange [0:*] noextend
 
   set title panel("A", "sliding velocity")
   set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
   set yrange [0:*]
-  set key left top Left reverse
+  set offsets 0, 0, graph 0.35, 0   # room for the key
+  set key left top Left reverse samplen 3 maxrows 3
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
   plot for [s in "RI RD"] for [i = 1:3] table(s, i) using (column("displacement")):(column("velocity_lowest")): \
-         (column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] table("RI", i) using (column("displacement")):(column("velocity_median")) \
-         with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
+         (column("velocity_highest")) with filledcurves fillstyle transparent solid 0.13 noborder \
+         linecolor rgb ordered(i, 3) notitle, \
        for [i = 1:3] table("RD", i) using (column("displacement")):(column("velocity_median")) \
-         with lines linewidth 1.4 linecolor rgb colour[i] title label_of(slide("RD", i)), \
-       keyentry with lines linewidth 1.2 linecolor rgb black title "RD", \
-       keyentry with lines linewidth 1.2 dashtype 2 linecolor rgb black title "RI"
+         with lines linewidth 2 linecolor rgb ordered(i, 3) title label_of(slide("RD", i)), \
+       for [i = 1:3] table("RI", i) using (column("displacement")):(column("velocity_median")) \
+         with lines linewidth 1.2 @dashes linecolor rgb dark(ordered(i, 3)) notitle, \
+       keyentry with lines linewidth 2 linecolor rgb black title "RD", \
+       keyentry with lines linewidth 1.2 @dashes linecolor rgb black title "RI"
+  set offsets
 
   set title panel("B", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
-  set yrange [0:30]
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
+  set yrange [lowest:30]
   unset key
   plot for [s in "RI RD"] for [i = 1:3] wide(s, i) \
          using (column("displacement")):(kilo * column("pore_pressure_lowest")): \
-         (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:3] wide("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
-         with lines linewidth 1.2 dashtype 2 linecolor rgb colour[i] notitle, \
+         (kilo * column("pore_pressure_highest")) with filledcurves fillstyle transparent solid 0.1 noborder \
+         linecolor rgb ordered(i, 3) notitle, \
        for [i = 1:3] wide("RD", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
-         with lines linewidth 1.4 linecolor rgb colour[i] notitle
+         with lines linewidth 2 linecolor rgb ordered(i, 3) notitle, \
+       for [i = 1:3] wide("RI", i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
+         with lines linewidth 1.2 @dashes linecolor rgb dark(ordered(i, 3)) notitle
+
+  if (has_largest) {
+    set title panel("C", "largest velocity of RD")
+    set xlabel "amplitude {/:Italic A} (kPa)"; set ylabel "{/:Italic v}_{max} (m/s)" offset 1
+    set xrange [2.5:5.5]; set xtics 1; set yrange [0:*]
+    eval frame("sweep.dat", "set yrange [0:1]")
+    plot data("sweep.dat") using (kilo * column("amplitude")):(column(largest("median"))) \
+           with lines linewidth 1 linecolor rgb grey notitle, \
+         for [i = 1:3] data("sweep.dat") using (by_amplitude(i, kilo * column("amplitude"))):(column(largest("median"))): \
+           (column(largest("lowest"))):(column(largest("highest"))) \
+           with yerrorbars linewidth 1.4 pointtype 7 pointsize 0.8 linecolor rgb ordered(i, 3) notitle
+    set xtics autofreq
+  }
   unset multiplot
   set output
 }

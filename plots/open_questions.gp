@@ -19,18 +19,20 @@ array names[2] = [names_in(word(profiles, 1)), names_in(word(profiles, 2))]
 velocity(s, of) = optional(names[s], "velocity_3_".of)   # at 30 % strain
 states(kind) = data("mu_of_I_".kind.".dat")
 named(kind) = sprintf("{/:Italic e} = %.2f", mean_of("mu_of_I_".kind.".dat", "void_ratio"))
+corner = stated("hold_glued hold_homogeneous pulse_glued pulse_homogeneous", \
+  "bars: lowest to highest of the samples, marks: median; B: other {/:Italic N}, too")
+several(least, largest) = column(least) < column(largest)   # no bar for one sample
 array kind_mark[3] = [7, 4, 8]; array kind_colour[3] = [blue, orange, purple]
 
 do for [format in "png pdf"] {
-  eval terminal(format, 18, 6.6)
+  eval terminal(format, 18, 7)
   set output picture.".".format
-  set multiplot layout 1, 3
-  set bmargin at screen 0.21; set tmargin at screen 0.88
+  set multiplot layout 1, 3 margins 0.065, 0.985, 0.18, 0.84 spacing 0.1 title corner @in_corner
 
   set title panel("A", "velocity at 30 % shear strain")
   set xlabel "⟨{/:Italic v_x}⟩ / {/:Italic v_{x,}}_{top}"
   set ylabel "relative height {/:Italic z} / {/:Italic H}" offset 1
-  set xrange [0:1]; set yrange [0:1]
+  set xrange [0:1]; set yrange [0:1]; set format xy "%.1f"
   set key bottom right Left reverse
   set arrow 1 from first 0, 0 to first 1, 1 nohead linewidth 0.8 dashtype 3 linecolor rgb grey
   plot for [s = 1:2] profile(s) using (column(velocity(s, "median"))):(column("relative_height")): \
@@ -42,25 +44,27 @@ do for [format in "png pdf"] {
 
   set title panel("B", "size of the sample")
   set xlabel "number of grains {/:Italic N}"
-  set ylabel "largest velocity {/:Italic v}_{max} (m/s)" offset 1
+  set ylabel "largest velocity {/:Italic v}_{max} (m/s)" offset 0.3
   set logscale x
-  set xrange [200:40000]; set yrange [0:*]
-  set xtics (300, 1000, 3000, "10^4" 10000)
+  set xrange [100:100000]; set yrange [0:*]
+  set format x "10^{%T}"; set xtics 10
   set key bottom right Left reverse
   eval frame(sizes, "set yrange [0:1]")
-  plot for [s = 1:2] data(word(sizes, s)) using (column("grains")):(column("largest_velocity_median")): \
-         (column("largest_velocity_lowest")):(column("largest_velocity_highest")) \
-         with yerrorbars linewidth 1.2 pointtype mark[s] pointsize 0.7 linecolor rgb colour[s] title shown[s]
+  plot for [s = 1:2] data(word(sizes, s)) using (column("grains")):(several("largest_velocity_lowest", \
+         "largest_velocity_highest") ? column("largest_velocity_median") : NaN):(column("largest_velocity_lowest")): \
+         (column("largest_velocity_highest")) with yerrorbars linewidth 1.2 pointtype -1 linecolor rgb colour[s] notitle, \
+       for [s = 1:2] data(word(sizes, s)) using (column("grains")):(column("largest_velocity_median")) \
+         with points linewidth 1.2 pointtype mark[s] pointsize 0.7 linecolor rgb colour[s] title shown[s]
 
   set title panel("C", "friction of steady shear")
   set xlabel "inertial number {/:Italic I}"
-  set ylabel "friction {/:Italic μ} = {/:Italic τ} / {/:Italic σ}" offset 1
+  set ylabel "friction {/:Italic μ} = {/:Italic τ} / {/:Italic σ}" offset 0.3
   set xrange [1e-4:3]; set yrange [0.3:0.7]
-  set format x "10^{%T}"; set xtics 1e-4, 10
+  set xtics 1e-4, 10; set format y "%.1f"; set ytics 0.1
   set key top left Left reverse
   laws = data("mu_of_I_laws.dat")
   plot laws using (column("inertial_number")):(column("glass_beads")) \
-         with lines linewidth 1.2 dashtype 2 linecolor rgb grey title "glass beads", \
+         with lines linewidth 1.2 @dashes linecolor rgb grey title "glass beads", \
        laws using (column("inertial_number")):(column("fitted")) \
          with lines linewidth 1.2 linecolor rgb black title "fitted", \
        for [k = 1:3] states(word("loose middle dense", k)) using (column("inertial_number")):(column("friction")) \
@@ -68,7 +72,7 @@ do for [format in "png pdf"] {
          title named(word("loose middle dense", k))
   unset multiplot
   unset logscale x
-  set format x
-  set xtics autofreq
+  set format xy "% h"
+  set xtics autofreq; set ytics autofreq
   set output
 }

@@ -11,12 +11,12 @@ array axis[3] = ["x", "y", "z"]
 array colour[3] = [sky, orange, black]
 array mark[3] = [6, 4, 7]
 slices(i) = data(word(tables, i))
+corner = stated("e0_790", "first sample; band: two standard deviations of a random packing")
 
 do for [format in "png pdf"] {
-  eval terminal(format, 18, 6.6)
+  eval terminal(format, 18, 7)
   set output picture.".".format
-  set multiplot layout 1, 3
-  set bmargin at screen 0.21; set tmargin at screen 0.88
+  set multiplot layout 1, 3 margins 0.085, 0.985, 0.18, 0.84 spacing 0.09 title corner @in_corner
 
   set title panel("A", "void ratio in slices")
   set xlabel "place across the cell"
@@ -24,7 +24,7 @@ do for [format in "png pdf"] {
   set xrange [0:1]
   set key top center Left reverse
   plot slices(3) using (column("place")):(column("lowest_random")):(column("highest_random")) \
-         with filledcurves linecolor rgb 0xDDDDDD notitle, \
+         with filledcurves fillstyle solid linecolor rgb 0xE4E4E4 notitle, \
        for [i = 1:3] slices(i) using (column("place")):(column("void_ratio")) \
          with linespoints linewidth 1.2 pointtype mark[i] pointsize 0.5 linecolor rgb colour[i] title "across {/:Italic ".axis[i]."}"
 

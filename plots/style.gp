@@ -47,6 +47,8 @@ first_of(table, name) = number_in(asked("first", "-v name=".name, table))
 first_where(table, name, key, value) = \
   number_in(asked("first", sprintf("-v name=%s -v key=%s -v is=%s", name, key, shell_quoted(value)), table))
 values_of(table, name) = asked("values", "-v name=".name, table)   # the different ones, separated by blanks
+least_of(tables, names) = number_in(word(asked("range", "-v name=".shell_quoted(names), tables), 1))
+largest_of(tables, names) = number_in(word(asked("range", "-v name=".shell_quoted(names), tables), 2))
 mean_of(table, name) = number_in(asked("mean", "-v name=".name, table))
 # Columns that a table may lack, such as a profile at a strain that a run did not reach: with names = names_in(TABLE),
 # column(optional(names, NAME)) plots nothing if NAME is missing. gnuplot does not complain about column("").
@@ -69,6 +71,11 @@ label_of(point) = asked("label", "-v wanted=".shell_quoted(point), "legend.txt")
 
 other_label = others ? "dashed: ".system("basename -- ".shell_quoted(beside)) : ""
 
+# For set nonlinear: an axis that is linear up to `bend`; beyond, a factor e takes the space of 40 % of the linear part.
+bent(value, bend) = value < bend ? value : bend * (1 + 0.4 * log(value / bend))
+straight(place, bend) = place < bend ? place : bend * exp((place / bend - 1) / 0.4)
+at_least(value, least) = value > least ? value : least   # `least`, too, for NaN
+
 kilo = 1e-3       # Pa to kPa
 percent = 100.0   # strain to %
 
@@ -86,14 +93,32 @@ black = 0x000000; grey = 0x808080
 
 set border 3 linewidth 0.8 linecolor rgb black
 set tics nomirror out scale 0.6
-set key samplen 1.6 spacing 1.15 width -1 noopaque
+set key samplen 2 spacing 1.15 width -1 noopaque
 panel(letter, title) = sprintf("{/:Bold %s}  %s", letter, title)
 set title offset 0, -0.4
 set style fill transparent solid 0.22 noborder   # of bands
 
-# If settings differ from those of the case, a line above each figure says so.
+# Text of the upper left corner: `multiplot ... title corner @in_corner`.
+# stated(CURVES, NOTE): scale, number of grains and number of samples of these curves (of all, if ""), from runs.dat, and
+# NOTE, which says what a band is. If settings differ from those of the case, a line above says so.
 if (readable(folder."/changes.txt")) {
   changed = system("paste -sd ';' ".shell_quoted(folder."/changes.txt")." | sed 's/;/; /g'")
-  set label 100 "changed: ".(strlen(changed) > 100 ? changed[1:100]." ... (changes.txt)" : changed) at screen 0.005, screen 0.985 \
-    noenhanced font ",6" textcolor rgb grey
+  changed = strlen(changed) > 100 ? changed[1:100]." ... (changes.txt)" : changed
+  changed = "changed: ".system("printf '%s' ".shell_quoted(changed)." | sed 's/[_^{}@&~\\\\]/\\\\&/g'")."\n"
+} else {
+  changed = ""
 }
+conditions(curves) = readable(path("runs.dat")) \
+  ? asked("conditions", "-v wanted=".shell_quoted(curves), "runs.dat") \
+  : asked("scale", "", tables)."{/:Italic N} not recorded (tables of an older version)"
+stated(curves, note) = changed.conditions(curves).(note eq "" ? "" : "; ".note)
+range_of_samples = "band: lowest to highest of the samples, line: median"
+in_corner = "font ',6' left offset screen -0.494, character 0.3"   # gnuplot 5.4 counts from the middle
+
+# Colours of curves that differ by a parameter, from dark to light: ordered(I, N) is the I-th of N, N <= 6. dark(COLOUR)
+# is for a second curve on top of one of this colour.
+array in_order[6] = [0x0D0887, 0x6A00A8, 0xB12A90, 0xE16462, 0xF89540, 0xD9AE00]
+ordered(i, n) = in_order[n == 1 ? 1 : 1 + int((i - 1) * 5.0 / (n - 1) + 0.5)]
+channel(colour, k) = int(colour / 256**k) % 256
+dark(colour) = 65536 * int(0.6 * channel(colour, 2)) + 256 * int(0.6 * channel(colour, 1)) + int(0.6 * channel(colour, 0))
+dashes = "dashtype (5, 2.5)"     # short enough to be seen in a key

@@ -81,7 +81,8 @@ std::string figure_html(const Figure& figure, const std::filesystem::path& folde
   if (std::filesystem::exists(document.replace_extension(".pdf")))
     link = fmt::format(" <a href=\"{}\">PDF</a>", link_from(folder, document));
   return fmt::format(
-      "<figure id=\"{0}\"><img src=\"{1}\" alt=\"{2}\"><figcaption>{2}{3}</figcaption></figure>\n",
+      "<figure id=\"{0}\"><div class=\"wide\"><img src=\"{1}\" alt=\"{2}\"></div>"
+      "<figcaption>{2}{3}</figcaption></figure>\n",
       escaped(figure.name), data_url(figure.picture, "image/png"), escaped(caption), link);
 }
 
@@ -98,11 +99,19 @@ std::string folded(const std::string& title, const std::string& content) {
   return fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(title), content);
 }
 
+/// The command of a case without results, folded.
+std::string not_run_html(const CaseResults& results, const PageSetting& setting) {
+  return fmt::format(
+      "<section id=\"{}\" class=\"case empty\">\n<details><summary>{}: not run at this scale.</summary>\n"
+      "<p class=\"command\"><code>{}</code></p>\n</details>\n</section>\n",
+      escaped(results.name), escaped(title_of(results)), escaped(command_of(results, setting.options)));
+}
+
 std::string case_html(const CaseResults& results, const PageSetting& setting) {
+  if (results.empty()) return not_run_html(results, setting);
   std::string html =
       fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{}</h2>\n<p class=\"command\"><code>{}</code></p>\n",
                   escaped(results.name), escaped(title_of(results)), escaped(command_of(results, setting.options)));
-  if (results.empty()) return html + "<p>Not run at this scale.</p>\n</section>\n";
   for (const Figure& figure : results.figures)
     if (!figure.picture.empty()) html += figure_html(figure, setting.folder);
   if (!results.verdicts.empty()) html += "<h3>Claims</h3>\n" + claims_table(results.verdicts);
@@ -149,25 +158,32 @@ std::string overview(const std::vector<CaseResults>& cases) {
 }
 
 std::string header(const std::vector<CaseResults>& cases, const std::string& scale) {
-  std::size_t claims = 0, claims_met = 0, figures = 0, runs = 0;
+  std::size_t claims = 0, claims_met = 0, open = 0, figures = 0, all_figures = 0, runs = 0, not_run = 0;
   for (const CaseResults& results : cases) {
     claims += results.verdicts.size();
     claims_met += count_of(results.verdicts, Ruling::met);
+    open += count_of(results.verdicts, Ruling::not_evaluated);
     figures += drawn(results.figures);
+    all_figures += results.figures.size();
+    not_run += results.empty() ? 1 : 0;
     runs += results.runs.size();
   }
   return fmt::format(
       "<header>\n<h1>Flowslide: a slope that asks grains for its stress</h1>\n"
       "<p>What this code makes of the figures of M. Yang and G. Buscarnera, <cite>Multiscale modeling of granular "
       "dynamics on flowslide triggering and runout</cite>, 2024, at <strong>{}</strong> scale.</p>\n"
-      "<dl class=\"counts\"><div><dt>Claims met</dt><dd>{} of {}</dd></div><div><dt>Figures</dt><dd>{}</dd></div>"
-      "<div><dt>Runs</dt><dd>{}</dd></div></dl>\n</header>\n",
-      escaped(scale), claims_met, claims, figures, runs);
+      "<dl class=\"counts\"><div><dt>Claims met</dt><dd>{} of {}</dd></div>"
+      "<div><dt>Claims not evaluated</dt><dd>{}</dd></div><div><dt>Figures</dt><dd>{} of {}</dd></div>"
+      "<div><dt>Runs</dt><dd>{}</dd></div><div><dt>Cases not run</dt><dd>{} of {}</dd></div></dl>\n</header>\n",
+      escaped(scale), claims_met, claims, open, figures, all_figures, runs, not_run, cases.size());
 }
 
-// Opens all folded sections before printing.
+// Opens all folded sections before printing. Labels each cell with the head of its column, for narrow windows.
 constexpr const char* script =
-    "addEventListener('beforeprint', () => document.querySelectorAll('details').forEach(d => { d.open = true; }));";
+    "addEventListener('beforeprint', () => document.querySelectorAll('details').forEach(d => { d.open = true; }));\n"
+    "document.querySelectorAll('table').forEach(t => { const heads = [...t.querySelectorAll('thead th')]; "
+    "t.querySelectorAll('tbody tr').forEach(r => [...r.cells].forEach((c, i) => { "
+    "if (heads[i]) c.dataset.label = heads[i].textContent; })); });";
 
 }  // namespace
 

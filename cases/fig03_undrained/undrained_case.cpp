@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <map>
+
 #include "curve_metrics.hpp"
 #include "curves_table.hpp"
 #include "dem/make_engine.hpp"
 #include "pictures.hpp"
+#include "program/runout.hpp"
 #include "record/atomic_file.hpp"
 #include "run/legend.hpp"
 
@@ -14,6 +18,27 @@ namespace flowslide {
 namespace {
 
 std::string picture_key(const std::string& point) { return "point." + point + ".picture_strain"; }
+
+/// Void ratios of the samples in Fig. 3 of the paper.
+const std::map<std::string, double> paper_void_ratios{
+    {"e0_790", 0.790}, {"e0_771", 0.771}, {"e0_765", 0.765}, {"e0_751", 0.751}};
+
+/// "{I} = 2×10^{−2}", with one digit: the void ratio found changes the others.
+std::string label_of_number(double inertial_number) {
+  const double power = std::pow(10.0, std::floor(std::log10(inertial_number)));
+  return "{/:Italic I} = " + label_of_quantity(std::round(inertial_number / power) * power);
+}
+
+/// Label of a curve: the inertial number of the test, or the median void ratio of its samples and, in brackets, that of
+/// the paper. Empty for other curves.
+std::string label_of(const std::string& name, const Ensemble& ensemble) {
+  const double number = statistics_of(ensemble, "initial_inertial_number").median;
+  if (name.starts_with("I_")) return std::isfinite(number) && number > 0.0 ? label_of_number(number) : "";
+  if (!name.starts_with("e0")) return "";
+  const auto paper = paper_void_ratios.find(name);
+  const std::string own = fmt::format("{:.3f}", statistics_of(ensemble, "initial_void_ratio").median);
+  return paper == paper_void_ratios.end() ? own : fmt::format("{} ({:.3f})", own, paper->second);
+}
 
 /// Refuses the names that some keys had before this case used the keys of the other cases.
 void refuse_old_keys(const Configuration& configuration) {
@@ -82,15 +107,10 @@ void UndrainedCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   Legend legend;
   std::vector<std::pair<std::string, std::vector<Metric>>> all;
-  for (const std::string& name : points_in(output)) {
+  for (const std::string& name : points_in(output))
     all.emplace_back(name, read_result(output.file(name + ".h5")).metrics);
-    for (const Metric& metric : all.back().second) {
-      if (name.starts_with("e0") && metric.name == "initial_void_ratio")
-        legend.add(name, fmt::format("e_0 = {:.3f}", metric.value));
-      if (name.starts_with("I_") && metric.name == "initial_inertial_number")
-        legend.add(name, fmt::format("I = {:.0e}", metric.value));
-    }
-  }
+  for (const auto& [name, ensemble] : results_in(output.path(), points_in(output)))
+    if (const std::string label = label_of(name, ensemble); !label.empty()) legend.add(name, label);
   legend.write(output);
   write_atomically(output.file("curves.dat"), curves_table(all));
 }

@@ -28,7 +28,7 @@ void ConvergenceCase::compare(const Ensembles& slides, std::map<std::string, dou
 
 std::vector<std::string> ConvergenceCase::tables() const {
   std::vector<std::string> tables = SlideCase::tables();
-  tables.emplace_back("legend");
+  tables.insert(tables.end(), {"legend", "errors"});
   return tables;
 }
 
@@ -39,7 +39,10 @@ void ConvergenceCase::finish(const OutputFolder& output) const {
   for (const auto& [name, ensemble] : results_in(output.path(), present))
     if (are_slides(ensemble)) legend.add(name, label_of_quantity(parameter_of(ensemble, "time_step")));
   legend.write(output);
-  const std::string table = error_table(results_in(output.path(), present), metrics(output.path(), present));
+  const Ensembles runs = results_in(output.path(), present);
+  const std::map<std::string, double> all = metrics(output.path(), present);
+  write_atomically(output.file("errors.dat"), error_rows(runs, all));
+  const std::string table = error_table(runs, all);
   if (!table.empty()) write_atomically(output.file("table.md"), table);
 }
 

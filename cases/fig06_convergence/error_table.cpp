@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "convergence.hpp"
+#include "record/gnuplot_table.hpp"
 
 namespace flowslide {
 namespace {
@@ -58,6 +60,29 @@ std::string error_table(const Ensembles& slides, const std::map<std::string, dou
       text += fmt::format(" {} |", cells.contains(passing) ? cells.at(passing) : "");
     text += "\n";
   }
+  return text;
+}
+
+std::string error_rows(const Ensembles& slides, const std::map<std::string, double>& metrics) {
+  std::string text = table_head({{"passing", "", "text", "rule that passes strain", "", {}},
+                                 {"time_step", "dt_G", "s", "global time step", "", {}},
+                                 {"error", "", "1", "error of tau against DEM_high, median of the replicates", "", {}},
+                                 {"highest", "", "1", "highest error of the replicates", "", {}},
+                                 {"spread", "", "1", "spread of tau between the samples of DEM_high", "", {}}});
+  const auto value = [&](const std::string& name) {
+    const auto found = metrics.find(name);
+    return found == metrics.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  };
+  std::map<std::string, std::map<double, std::string>> rows;  // passing -> dt_G -> row
+  for (const auto& [name, ensemble] : slides) {
+    const std::string passing = passing_of(name);
+    if (!is_shown(passing) || !metrics.contains(name + ".error") || alone_of(ensemble, slides) != "DEM_high") continue;
+    const double step = parameter_of(ensemble, "time_step");
+    rows[passing][step] = fmt::format("{} {} {} {} {}\n", passing, step, value(name + ".error"),
+                                      value(name + ".error.highest"), value("DEM_high.spread"));
+  }
+  for (const auto& [passing, by_step] : rows)
+    for (const auto& [step, row] : by_step) text += row;
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparison.hpp"
+#include "marked_states.hpp"
 #include "profile_metrics.hpp"
 #include "record/gnuplot_table.hpp"
 #include "run/legend.hpp"
@@ -21,19 +22,16 @@ std::string steady_head() {
                      {"standard_error", "mu_ss", "1", "standard error of that mean", "", {}}});
 }
 
-std::string peaks_head() {
-  return table_head({{"slide", "", "text", "name of the slide", "", {}},
-                     {"time", "t", "s", "time at the peak of the shear stress", "", {}},
-                     {"shear_stress", "tau", "Pa", "shear stress at the peak", "positive downslope", {}},
-                     {"normal_stress", "sigma", "Pa", "normal stress at the peak", "compression positive", {}}});
-}
-
-/// A line of peaks.dat: name of the slide, time (s), tau and sigma (Pa) at the peak of tau. Empty if there is no peak.
-std::string peak_line(const std::string& name, const Result& result) {
-  const double time = metric_of(result, "time_at_peak"), shear = metric_of(result, "peak_shear_stress");
-  const double normal = metric_of(result, "normal_stress_at_peak");
-  if (!std::isfinite(time + shear + normal)) return "";
-  return fmt::format("{} {} {} {}\n", name, time, shear, normal);
+/// Adds a label for each profile of a slide: its shear strain, and whether the first replicate has liquefied before.
+void label_profiles(Legend& legend, const std::vector<SlidePoint>& points, const std::string& slide,
+                    const Ensemble& ensemble) {
+  const double liquefied = liquefaction_strain(ensemble.front().series);
+  for (const SlidePoint& point : points)
+    for (std::size_t i = 0; i < point.profiles.strains.size() && point.replicate == 0 && point.name == slide; ++i) {
+      const double strain = point.profiles.strains[i];
+      legend.add(fmt::format("profile_{}", i + 1), fmt::format("γ = {:.3g} %", 100.0 * strain));
+      legend.add(fmt::format("profile_{}_is", i + 1), strain >= liquefied ? "after liquefaction" : "before liquefaction");
+    }
 }
 
 }  // namespace
@@ -68,9 +66,10 @@ std::vector<std::string> TriggerCase::tables() const {
 
 void TriggerCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  std::string steady = steady_head(), peaks = peaks_head();
-  for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
-    peaks += peak_line(name, ensemble.front());
+  std::string steady = steady_head(), peaks = marked_states_head();
+  const Ensembles slides_with_results = results_in(output.path(), points_in(output));
+  for (const auto& [name, ensemble] : slides_with_results) {
+    peaks += marked_states_row(name, ensemble.front());
     if (!name.ends_with("_hold")) continue;
     std::vector<Series> replicates;
     for (const Result& result : ensemble) replicates.push_back(friction(windows_over(result, "shear_strain")));
@@ -84,9 +83,7 @@ void TriggerCase::finish(const OutputFolder& output) const {
   write_atomically(output.file("peaks.dat"), peaks);
 
   Legend legend;
-  for (const SlidePoint& slide : slides())
-    for (std::size_t i = 0; i < slide.profiles.strains.size() && slide.replicate == 0; ++i)
-      legend.add(fmt::format("profile_{}", i + 1), fmt::format("γ = {:.3g} %", 100.0 * slide.profiles.strains[i]));
+  for (const auto& [name, ensemble] : slides_with_results) label_profiles(legend, slides(), name, ensemble);
   legend.write(output);
 }
 

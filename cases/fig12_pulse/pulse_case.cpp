@@ -34,14 +34,19 @@ std::vector<Metric> PulseCase::slide_metrics(const SlideOutcome& outcome) const 
 std::vector<std::string> PulseCase::tables() const {
   std::vector<std::string> tables = SlideCase::tables();
   for (const std::string& name : slide_names()) tables.push_back(name + "_windows");
-  tables.emplace_back("legend");
+  tables.insert(tables.end(), {"sweep", "legend"});
   return tables;
 }
 
 void PulseCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
   Legend legend;
-  for (const auto& [name, ensemble] : results_in(output.path(), points_in(output))) {
+  const Ensembles runs = results_in(output.path(), points_in(output));
+  const Column axis{"amplitude", "A", "Pa", "amplitude of the pulse", "", {}};
+  write_table(output.file("sweep.dat"),
+              {{{"case", description().name}},
+               sweep_series(axis, {{"RD", sweep_of(runs, "RD_", axis.name)}}, {"largest_velocity"})});
+  for (const auto& [name, ensemble] : runs) {
     if (!are_slides(ensemble)) continue;
     write_table(output.file(name + "_windows.dat"), {{{"slide", name}}, band_over(ensemble, "displacement", windows)});
     if (const double amplitude = parameter_of(ensemble, "amplitude"); std::isfinite(amplitude))

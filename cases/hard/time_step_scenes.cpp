@@ -27,11 +27,12 @@ Series empty_scan() {
   Series scan;
   scan.axis = {"run", "i", "1", "run of the scan, from 1", "", {}};
   for (const char* name : {"sample", "rayleigh_share", "peak_ratio", "edge_share", "is_wrong", "by_stiffness",
-                           "by_overlap", "by_rest", "by_energy"})
+                           "by_overlap", "by_rest", "by_energy", "grains"})
     scan.columns.push_back({name, "", "1", name, "", {}});
   scan.columns[1].long_name = "time step over the Rayleigh time of the smallest grain";
   scan.columns[2].long_name = "peak of the shear stress over that of a refined run";
   scan.columns[3].long_name = "time step as a share of the edge of stability (see time_step_share)";
+  scan.columns.back().long_name = "number of grains of the sample";
   return scan;
 }
 
@@ -75,7 +76,8 @@ SceneRecord time_step_scene(const SceneContext& context) {
                            run.stiffness_alarm ? 1.0 : 0.0,
                            run.overlap_alarm ? 1.0 : 0.0,
                            run.rest_alarm ? 1.0 : 0.0,
-                           run.energy_alarm ? 1.0 : 0.0};
+                           run.energy_alarm ? 1.0 : 0.0,
+                           static_cast<double>(sample.size())};
       record.details.append_row(static_cast<double>(record.details.rows() + 1), row);
     }
   }

@@ -30,6 +30,8 @@ struct Point {
   std::string sample = {};            ///< label of its prepared sample: letters, digits and "_"; empty: none
   RunInputs inputs = {};              ///< other inputs that decide its result
   std::vector<std::string> tables = {};  ///< names, without extension, of its other files, such as "<name>_profiles"
+  std::string curve = {};             ///< name that its replicates share; empty: `name`
+  int grains = 0;                     ///< number of grains of its sample; 0: a closed-form sample, or several samples
 };
 
 /// The data and services for one run.

@@ -20,6 +20,7 @@
 #include "process/ranks.hpp"
 #include "program/changed_settings.hpp"
 #include "program/file_names.hpp"
+#include "program/run_list.hpp"
 #include "program/run_main.hpp"
 #include "program/versions.hpp"
 #include "record/atomic_file.hpp"
@@ -175,9 +176,14 @@ class CaseProgram {
     return {case_.description().name, point.name, point.inputs, configuration_.resolved(), versions_of(point.inputs)};
   }
 
-  /// Writes the tables of the figures, and changes.txt with the settings that differ from those of the case.
+  /// Writes the tables of the figures, runs.dat with the runs that they show, and changes.txt with the settings that
+  /// differ from those of the case.
   void finish(const OutputFolder& output) const {
     case_.finish(output);
+    std::vector<Point> shown;
+    for (const Point& point : points_)
+      if (output.has_result(point.name)) shown.push_back(point);
+    write_atomically(output.file("runs.dat"), run_list(shown, options_.scale));
     const std::filesystem::path changes = output.file("changes.txt");
     std::filesystem::remove(changes);
     if (!changed_.empty()) write_atomically(changes, fmt::format("{}\n", fmt::join(changed_, "\n")));

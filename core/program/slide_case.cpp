@@ -110,10 +110,12 @@ void SlideCase::read(const Configuration& configuration) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
       SlidePoint read = read_slide_point(configuration, name, common);
-      if (closed_form_)
+      if (closed_form_) {
         read.point.sample.clear();
-      else
+        read.point.grains = 0;
+      } else {
         read.point.inputs.preparation_engine = preparation_engine_;
+      }
       if (!read.profiles.strains.empty()) read.point.tables.push_back(read.point.name + "_profiles");
       if (read.test && !picture_strains(read).empty()) read.point.tables.push_back(read.point.name + "_frames");
       for (const Metric& parameter : more_parameters(read)) read.parameters.push_back(parameter);

@@ -110,9 +110,12 @@ SlidePoint read_slide_point(const Configuration& configuration, const std::strin
   read.replicate = common.replicate;
   read.sample = sample_named(configuration, table.key("sample"), common.samples);
   read.point.name = replicate_name(name, common.replicate);
+  read.point.curve = name;
   read.point.sample = read.sample.label();
   read.point.figures = configuration.texts(table.key("figures"));
-  read.grains = {lattice_packing(read.sample.recipe.packing).mean_diameter(), read.sample.recipe.material.density};
+  const Assembly packing = lattice_packing(read.sample.recipe.packing);
+  read.grains = {packing.mean_diameter(), read.sample.recipe.material.density};
+  read.point.grains = static_cast<int>(packing.size());
   read.published = configuration.is_published("point." + name);
   read.engine = engine_of(table, common.engine);
   read.point.inputs.engine = read.engine;

@@ -97,6 +97,9 @@ TEST(SlidePoint, PredictsItsStepsOnASampleWithoutStrength) {
   const SlidePoint global = read(slide_case_text(), "RD");
   EXPECT_NEAR(predicted_steps(global.settings, global.stop), 4e5, 1e3);
   EXPECT_GT(global.point.predicted_seconds, 0.0);
+  EXPECT_EQ(read(slide_case_text(), "RD", 2).point.curve, "RD");
+  const auto& sites = global.sample.recipe.packing.counts;
+  EXPECT_EQ(global.point.grains, sites[0] * sites[1] * sites[2]);
   EXPECT_EQ(global.point.sample, global.sample.name + "_seed" + std::to_string(global.sample.recipe.packing.seed));
   EXPECT_EQ(read(slide_case_text(), "RD", 0, "elastic").point.predicted_seconds, 0.0);
   // RI at the floor of 2 1/s: x = tau_0 t^2/(2m), and the pulse adds A T/(pi m) (2 (t - T/2)) from its end on.

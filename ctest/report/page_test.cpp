@@ -63,7 +63,14 @@ TEST_F(ReportPage, NamesCommandsAndWhatIsMissing) {
   const std::string html = page("--scale paper");
   EXPECT_THAT(html, HasSubstr("./reproduce fig03 fig04 --scale paper<"));
   EXPECT_THAT(html, HasSubstr("./reproduce --report --scale paper<"));
-  EXPECT_THAT(html, HasSubstr("Not run at this scale."));
+  EXPECT_THAT(html, HasSubstr("<summary>speed: not run at this scale.</summary>"));
+}
+
+TEST_F(ReportPage, CountsWhatWasNotRun) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<dt>Cases not run</dt><dd>1 of 2</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dt>Figures</dt><dd>1 of 2</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dt>Claims not evaluated</dt><dd>0</dd>"));
 }
 
 TEST_F(ReportPage, NeedsNoOtherFile) {

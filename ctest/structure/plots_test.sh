@@ -65,6 +65,26 @@ draw 'bounds.dat' 'print first_of("bounds.dat", "time") * 1e5, " ", first_of("bo
 expect 0 '4.0   NaN'
 draw 'RD.dat RD_r2.dat' 'print "<", values_of("RD.dat RD_r2.dat", "time"), ">"'
 expect 0 '< 0 1 2 >'
+draw 'RD.dat RD_r2.dat' 'print least_of("RD.dat RD_r2.dat", "time stress"), largest_of("RD.dat RD_r2.dat", "stress"), least_of("RD.dat", "mass")'
+expect 0 '0.0 8.0 NaN'
+draw 'RD.dat' 'print stated("", "a note")'
+expect 0 '{/:Italic N} not recorded (tables of an older version); a note'
+printf '# scale: quick\n' >>"$folder/RD.dat"
+draw 'RD.dat' 'print stated("RD", "")'
+expect 0 'quick scale, {/:Italic N} not recorded (tables of an older version)'
+sed -i '/^# scale/d' "$folder/RD.dat"
+printf 'run curve scale grains\n# column 1: run\nRD RD quick 1100\nRD_r2 RD quick 1100\nRI RI quick 400\nfree free quick 0\n' \
+  >"$folder/runs.dat"
+draw 'RD.dat' 'print "<", stated("RD", ""), ">"'
+expect 0 '< quick scale, {/:Italic N} = 1100 grains, 2 samples >'
+draw 'RD.dat' 'print stated("", "a note")'
+expect 0 'quick scale, {/:Italic N} = 400 to 1100 grains, 1 to 2 samples; a note'
+draw 'RD.dat' 'print stated("free", "")'
+expect 0 'quick scale, no grains, 1 sample'
+printf 'size_a = "2 mm", not "3 mm"\n' >"$folder/changes.txt"
+draw 'RD.dat' 'print stated("RD", "")'
+expect 0 $'changed: size\\_a = "2 mm", not "3 mm"\nquick scale'
+rm "$folder/changes.txt" "$folder/runs.dat"
 draw 'RI.dat' 'print "drawn"'
 expect 2 'no table'
 printf '# case: test\n# column 1: time | t | s | time |\n0\n' >"$folder/old.dat"

@@ -242,7 +242,7 @@ TEST_F(UndrainedProgram, RunsAPointOnceAndThenSkipsIt) {
   const Outcome checked = run(check);
   EXPECT_EQ(checked.code, 0);
   EXPECT_CONTAINS(checked.output, "not the paper's settings: packing.lattice = [5, 5, 6], not [10, 10, 11]");
-  EXPECT_CONTAINS(content_of("out/legend.txt"), "I_2e-2\tI = 2e-02\n");
+  EXPECT_CONTAINS(content_of("out/legend.txt"), "I_2e-2\t{/:Italic I} = 2×10^{−2}\n");
 
   // The sample that fitted is in the cache; a search that asks for more than it offers ends with it, and code 3.
   Options search = small;

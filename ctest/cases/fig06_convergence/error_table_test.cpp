@@ -33,5 +33,21 @@ TEST(ErrorTable, IsEmptyWithoutErrors) {
   EXPECT_EQ(error_table({{"DEM_high", run(1e-2, 1.0)}}, {{"DEM_high.spread", 0.1}}), "");
 }
 
+TEST(ErrorTable, HasRowsForAFigure) {
+  const Ensembles slides{{"DEM_high", run(1e-2, 1.0)},       {"RI_high_1e-3", run(1e-2, 1e-3)},
+                         {"RI_high_1e-4", run(1e-2, 1e-4)},  {"carry_high_1e-6", run(1e-2, 1e-6)},
+                         {"reset_high_1e-6", run(1e-2, 1e-6)},  // without an error: it ends early
+                         {"carry30_high_1e-6", run(1e-2, 1e-6)}};
+  const std::string table = error_rows(slides, {{"RI_high_1e-3.error", 0.01},
+                                                {"RI_high_1e-3.error.highest", 0.02},
+                                                {"RI_high_1e-4.error", 0.03},
+                                                {"carry_high_1e-6.error", 0.25},
+                                                {"carry30_high_1e-6.error", 0.5},
+                                                {"DEM_high.spread", 0.125}});
+  EXPECT_TRUE(table.starts_with("passing time_step error highest spread\n")) << table;
+  EXPECT_EQ(table.substr(table.find("\nRI") + 1),
+            "RI 0.0001 0.03 nan 0.125\nRI 0.001 0.01 0.02 0.125\ncarry 1e-06 0.25 nan 0.125\n");
+}
+
 }  // namespace
 }  // namespace flowslide
