@@ -30,6 +30,7 @@ struct Point {
   std::string sample = {};            ///< label of its prepared sample: letters, digits and "_"; empty: none
   RunInputs inputs = {};              ///< other inputs that decide its result
   std::vector<std::string> tables = {};  ///< names, without extension, of its other files, such as "<name>_profiles"
+  std::string configuration = {};  ///< the part of the resolved configuration that decides its result; empty: all
 };
 
 /// The data and services for one run.
@@ -50,7 +51,8 @@ struct PointRun {
   Result result(Series series, std::vector<Metric> metrics) const;
 };
 
-/// A case: one folder below cases/. Its program calls the functions below (see run_case).
+/// A case: one folder below cases/. Its program calls the functions below (see run_case). A folder without claims.toml
+/// has no claims of the paper, and no settings of the paper to differ from.
 class Case {
  public:
   virtual ~Case() = default;
