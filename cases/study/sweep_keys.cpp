@@ -8,6 +8,7 @@
 #include <set>
 
 #include "configuration/nearest.hpp"
+#include "configuration/symbols.hpp"
 #include "configuration/tables.hpp"
 #include "input/vocabulary.hpp"
 #include "sample/closed_form.hpp"
@@ -68,6 +69,9 @@ std::string list_of_keys(const std::vector<SweepTable>& tables) {
   std::vector<std::string> names;
   for (const SweepTable& table : tables) names.insert(names.end(), table.keys.begin(), table.keys.end());
   std::string meant = did_you_mean(asked, names, "");
+  for (const std::string& key : keys_of_symbol(asked))  // such as "k"
+    if (std::ranges::find(names, key) != names.end()) meant = fmt::format("did you mean \"{}\"?", key);
+  if (asked == "scheme") meant = "give several schemes by study.scheme;";
   if (!meant.empty()) meant += " ";
   configuration.refuse(sweep.key, "cannot be swept",
                        fmt::format("{}allowed: {}a key with one value of {}", meant, of_grains ? "sample, or " : "",

@@ -228,7 +228,11 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   for (const std::string& table : tables) keys.erase(table);
   const std::set<std::string>& those = is_table && !tables.empty() ? tables : keys;
   const std::vector<std::string> candidates(those.begin(), those.end());
-  const std::string meant = is_table ? "" : key_meant(entry.key, candidates);
+  std::string meant = is_table ? "" : key_meant(entry.key, candidates);
+  const auto in_table = [&](const std::string& key) { return key.ends_with("." + entry.key); };
+  if (const auto found = std::ranges::find_if(candidates, in_table);
+      !is_table && meant.empty() && found != candidates.end())
+    meant = *found;  // such as "angle" outside its table
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
                      !meant.empty()
                          ? fmt::format("did you mean \"{}\"?", meant)

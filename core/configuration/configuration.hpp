@@ -56,6 +56,7 @@ class Configuration {
   /// the values that were read, except those that the variant replaces.
   void adopt(const Configuration& variant) const;
   /// Keys of the values and lists below a table, without its name, in the order of the files; empty if it is missing.
+  /// Throws ConfigurationError if `table` is a value.
   std::vector<std::string> keys_below(std::string_view table) const;
   /// The items of a list, or the single value, as texts without quotes. Throws ConfigurationError.
   std::vector<std::string> items_of(std::string_view key) const;

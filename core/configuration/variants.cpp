@@ -57,6 +57,8 @@ void Configuration::adopt(const Configuration& variant) const {
 
 std::vector<std::string> Configuration::keys_below(std::string_view table) const {
   known_.emplace(table);
+  if (const Entry* entry = find(table); entry != nullptr && entry->kind != Entry::Kind::table)
+    refuse_value(table, entry->whole, "is a value, but a table is needed", fmt::format("write [{}]", table));
   std::vector<std::string> keys;
   for (const Entry& entry : entries_)
     if (stands_below(entry.key, table) && entry.kind != Entry::Kind::table)

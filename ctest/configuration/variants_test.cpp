@@ -56,6 +56,7 @@ TEST(Variants, TellKeysAndItems) {
   const auto whole = Configuration::from_text(text);
   EXPECT_EQ(whole.keys_below("sweep"), (std::vector<std::string>{"angle", "single", "names"}));
   EXPECT_EQ(whole.keys_below("nothing"), std::vector<std::string>{});
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { whole.keys_below("sweep.angle"); }), "but a table is needed");
   EXPECT_TRUE(whole.is_list("sweep.angle"));
   EXPECT_FALSE(whole.is_list("sweep.single"));
   EXPECT_EQ(whole.items_of("sweep.names"), (std::vector<std::string>{"a", "1.5", "true"}));

@@ -118,6 +118,10 @@ TEST_F(StudyProgram, RefusesWhatCannotBeSwept) {
   EXPECT_CONTAINS(refused("[point.mine]\nsample = 'e0_790'\n"), "a study has no [point.mine]");
   EXPECT_CONTAINS(refused("[study]\nscheme = ['RD', 'RD']\n"), "gives \"RD\" twice");
   EXPECT_CONTAINS(refused("[study]\nscheme = 'fast'\n"), "it must be");
+  EXPECT_CONTAINS(refused("[sweeps]\nangle = ['2 deg']\n"), "unknown table \"sweeps\"");
+  EXPECT_CONTAINS(refused("[stop2]\n"), "unknown table \"stop2\"");
+  EXPECT_EQ(run("[sweep]\nsample = ['e0_790', 'other']\n", {"--engine", "native"}), 2);
+  EXPECT_CONTAINS(error_, "point.RD_other.sample = 'other' is not allowed: it must be \"e0_790\"");
   EXPECT_CONTAINS(refused("[slopes]\nangle = '2 deg'\n"), "unknown table \"slopes\"");
 }
 

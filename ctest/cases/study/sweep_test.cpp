@@ -81,6 +81,8 @@ TEST(Sweep, RefusesOtherKeysAndNamesTheAllowedOnes) {
                            "sample, or a key with one value of [slope] (angle), [loading] (");
   EXPECT_CONTAINS(message, "[sample] (drag, void_ratio)");
   EXPECT_CONTAINS_NOT(message, "drag_stages");
+  EXPECT_CONTAINS(refusal_of("A = ['1 kPa']\n"), "did you mean \"amplitude\"?");
+  EXPECT_CONTAINS(refusal_of("scheme = ['RD', 'RI']\n"), "give several schemes by study.scheme; allowed: ");
   EXPECT_CONTAINS(refusal_of("drag = ['1 kg/s']\n", "critical_state"), "[critical_state] (");
   EXPECT_CONTAINS(refusal_of("sample = ['mine']\n", "elastic"), "cannot be swept");
   EXPECT_CONTAINS(refusal_of("time_step = ['1e-4 s']\n"),
