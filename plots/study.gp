@@ -59,8 +59,8 @@ array shape[4] = [7, 5, 9, 11]
 do for [format in "png pdf"] {
   eval terminal(format, 16, 12.4)
   set output picture.".".format
-  set multiplot layout 2, 2 margins 0.095, 0.86, 0.115, 0.93 spacing 0.12, 0.145
-  set xtics font ",6.5"
+  set multiplot layout 2, 2 margins 0.095, 0.845, 0.115, 0.93 spacing 0.12, 0.145
+  set tics font ",6.5"
   set xlabel "normal stress {/Symbol s} (kPa)"
   set ylabel "shear stress {/Symbol t} (kPa)" offset 1
   set xrange [0:*]; set yrange [*:*]
@@ -95,7 +95,7 @@ do for [format in "png pdf"] {
 
   unset key
   set title panel("C", "excess pore pressure")
-  set ylabel "excess pore pressure {/:Italic p_w} (kPa)"
+  set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [*:*]
   if (count == 0) { set yrange [0:1]; plot NaN notitle } else {
     plot for [i = 1:count] coarse(i) using (far * column("displacement")):(kilo * column("pore_pressure_lowest")): \
@@ -110,7 +110,6 @@ do for [format in "png pdf"] {
     set xlabel axis enhanced
     set ylabel sprintf("{/:Italic v}_{max} (%s)", fast_unit) offset 1
     set offsets graph 0.06, graph 0.06, graph 0.06, 0
-    if (words(schemes) > 1) { set key at graph 0.02, graph 0.98 left top Left reverse notitle }
     # The runs of the first scheme stand in the order of the values.
     if (label_of("x texts") eq "yes") {
       set xtics (label_of(word(runs, 1)) 1)
@@ -125,11 +124,10 @@ do for [format in "png pdf"] {
       plot for [s = 1:(several ? words(schemes) : 0)] data("sweep.dat") using (column("as_written") / 10.0**power): \
              (fast * column(largest(word(schemes, s), "median"))): \
              (fast * column(largest(word(schemes, s), "lowest"))):(fast * column(largest(word(schemes, s), "highest"))) \
-             with yerrorbars linewidth 1.2 pointsize 0 linecolor rgb (s == 1 ? vermillion : s == 2 ? blue : grey) notitle, \
+             with yerrorbars linewidth 1.2 pointsize 0 linecolor rgb black notitle, \
            for [s = 1:words(schemes)] data("sweep.dat") using (column("as_written") / 10.0**power): \
              (fast * column(largest(word(schemes, s), "median"))) with linespoints linewidth 1.2 dashtype s \
-             pointtype shape[1 + (s - 1) % 4] pointsize 0.6 linecolor rgb (s == 1 ? vermillion : s == 2 ? blue : grey) \
-             title word(schemes, s)
+             pointtype shape[1 + (s - 1) % 4] pointsize 0.6 linecolor rgb black notitle
     }
     set offsets; set xtics autofreq
   } else {

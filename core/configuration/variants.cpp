@@ -25,7 +25,7 @@ void add(Elements& to, const Elements& from) {
 }  // namespace
 
 Configuration Configuration::with_item(const std::string& key, std::string_view list, std::size_t item) const {
-  const Scalar value = require_items(list, "values").at(item);
+  const Scalar value = require_items(list, "one value for each run").at(item);
   std::vector<Entry> layer;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1)) {
     const std::string table = key.substr(0, dot);
@@ -68,7 +68,7 @@ std::vector<std::string> Configuration::keys_below(std::string_view table) const
 
 std::vector<std::string> Configuration::items_of(std::string_view key) const {
   std::vector<std::string> texts, lines;
-  for (const Scalar& item : require_items(key, "values")) {
+  for (const Scalar& item : require_items(key, "one value for each run")) {
     if (std::holds_alternative<std::monostate>(item.value))
       refuse_value(key, item, "is no single value", "give a list of numbers or texts");
     texts.push_back(text_of(item));
