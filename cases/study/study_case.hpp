@@ -11,8 +11,8 @@ namespace flowslide {
 ///   study.sample   name of the sample
 ///   study.scheme   one or several names of schemes
 ///   sweep.<key>    the values of the swept key; optional
-/// A run is named <scheme>, or <scheme>_<value> in a sweep. It has the configuration of the study with its own value, so
-/// a value, a scheme or a replicate that is added later leaves the results of the other runs valid.
+/// A run is named <scheme>, or <scheme>_<value> in a sweep. It has the configuration of the study with its own value.
+/// A value, a scheme or a replicate that is added later leaves the results of the other runs valid.
 class StudyCase : public SlideCase {
  public:
   StudyCase();

@@ -23,8 +23,8 @@ struct StudyFigure {
 ///   runs.dat    one row per run: slide, scheme, the value in the unit of the sweep, number of samples
 ///   sweep.dat   v_max, peak of tau and runout of each scheme over the swept value (see sweep_series); without rows
 ///               if there is no sweep
-///   legend.txt  label of each run, "x axis" with the label of the swept key, and "note" with engine, grains and samples;
-///               "x texts" if the swept values are texts, which have numbers in the tables
+///   legend.txt  label of each run; "x axis": label of the swept key; "note": engine, grains and samples; "x texts" if
+///               the swept values are texts, which have numbers in the tables
 void write_study_tables(const OutputFolder& output, const StudyFigure& study, const Ensembles& slides);
 
 }  // namespace flowslide

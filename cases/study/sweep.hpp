@@ -39,8 +39,8 @@ struct Sweep {
 /// Reads [sweep]. It may have one key:
 /// - `sample`, whose values are names of tables [sample.<name>]; not with a closed-form sample;
 /// - a key with one value of [slope], [loading] or [coupling];
-/// - a key with one value of the sample: of [sample.<sample>], [material], [packing] or [preparation]. With a closed-form
-///   sample these are the keys of its own table, such as [critical_state].
+/// - a key with one value of the sample: of [sample.<sample>], [material], [packing] or [preparation]. With a
+///   closed-form sample these are the keys of its own table, such as [critical_state].
 /// A key that two of these tables have needs the name of the table: sweep.coupling.time_step. Throws ConfigurationError
 /// for any other key, with the keys that are allowed, and for a value that occurs twice.
 Sweep read_sweep(const Configuration& configuration, const std::string& engine, const std::string& sample);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # own_study_test.sh CASES: runs every command of docs/own-study.md, in its order, in a copy of the scripts beside the
-# built programs; checks its figures, and that each of its TOML texts is accepted. CASES is the folder with the built cases.
+# built programs; checks its figures, and that each of its TOML texts is accepted. CASES is the folder with the built
+# cases.
 set -euo pipefail
 cases=$(cd "$1" && pwd)
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
@@ -22,7 +23,12 @@ cd "$tree"
 failures=0 commands=0 texts=0
 complain() { echo "$1"; failures=$((failures + 1)); }
 # blocks LANGUAGE: the fenced blocks of this language, each ended by a line "---".
-blocks() { awk -v start='```'"$1" '$0 == start { inside = 1; next } /^```/ { if (inside) print "---"; inside = 0 } inside' "$page"; }
+blocks() {
+  awk -v start='```'"$1" '
+    $0 == start { inside = 1; next }
+    /^```/ { if (inside) print "---"; inside = 0 }
+    inside' "$page"
+}
 
 # expect CODE PATTERN COMMAND: its exit code and a pattern in its output, which goes to log.
 expect() {

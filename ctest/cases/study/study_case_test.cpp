@@ -112,7 +112,8 @@ TEST_F(StudyProgram, RefusesWhatCannotBeSwept) {
   EXPECT_CONTAINS(refused("[sweep]\nangel = ['3 deg']\n"),
                   "did you mean \"angle\"? allowed: a key with one value of [slope]");
   EXPECT_CONTAINS(refused("[sweep]\nangle = ['3 deg', '95 deg']\n"), "mine.toml:5:19: slope.angle = '95 deg'");
-  EXPECT_CONTAINS(refused("[sweep]\nangle = ['3 deg', '4 kPa']\n"), "mine.toml:5:19: slope.angle: \"4 kPa\" is a stress");
+  EXPECT_CONTAINS(refused("[sweep]\nangle = ['3 deg', '4 kPa']\n"),
+                  "mine.toml:5:19: slope.angle: \"4 kPa\" is a stress");
   EXPECT_CONTAINS(refused("[slope]\nangle = '2 deg'\n" + angles), "has a nearer key, such as \"sweep.angle\"");
   EXPECT_CONTAINS(refused("[sweep]\nsmallest_rate = ['1 1/s']\n"), "has no effect: rate = \"global\" does not use it");
   EXPECT_CONTAINS(refused("[point.mine]\nsample = 'e0_790'\n"), "a study has no [point.mine]");
