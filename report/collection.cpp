@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view own_studies = "study";  ///< the case of the user's own studies; the page leaves it out
+
 /// Files of a folder with this ending, sorted by name; none if the folder is absent.
 std::vector<fs::path> files_with(const fs::path& folder, std::string_view ending) {
   std::vector<fs::path> files;
@@ -113,7 +115,8 @@ std::vector<Verdict> verdicts_from_json(std::string_view text) {
 std::vector<CaseResults> collect_results(const fs::path& project, const fs::path& results, const std::string& scale) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(project / "cases"))
-    if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
+    if (fs::exists(entry.path() / "case.toml") && entry.path().filename() != own_studies)
+      names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   std::vector<CaseResults> cases;
   cases.reserve(names.size());
@@ -123,7 +126,7 @@ std::vector<CaseResults> collect_results(const fs::path& project, const fs::path
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string figure, name, script, title;
-    if (line.starts_with('#') || !(words >> figure >> name >> script)) continue;
+    if (line.starts_with('#') || !(words >> figure >> name >> script) || name == own_studies) continue;
     std::getline(words >> std::ws, title);
     CaseResults& owner = case_named(cases, name);
     const fs::path picture = owner.folder / (figure + ".png");

@@ -39,7 +39,8 @@ std::string_view beginning_like(std::string_view pattern, std::string_view table
 
 }  // namespace
 
-Configuration::Configuration(const Layers& layers) : origin_(layers.case_file.string()) {
+Configuration::Configuration(const Layers& layers)
+    : origin_(layers.case_file.string()), users_file_(layers.user_file.value_or("").string()) {
   LaidEntries laid = lay(layers);
   base_ = std::move(laid.base);
   entries_ = std::move(laid.all);
@@ -87,8 +88,9 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
   const std::string where =
       !table.empty() ? fmt::format("{}: [{}] lacks the key \"{}\"", find(table)->key_place.text(), table, key)
                      : fmt::format("{}: the key \"{}\" is missing", origin_, key);
+  const std::string to = table.empty() && !users_file_.empty() ? "to " + users_file_ : "there";
   throw ConfigurationError(
-      fmt::format("{}: {} is needed; add it there or with --set {}=VALUE{}", where, wanted, key, hint));
+      fmt::format("{}: {} is needed; add it {} or with --set {}=VALUE{}", where, wanted, to, key, hint));
 }
 
 bool Configuration::is_users_table(std::string_view table) const {
@@ -226,7 +228,11 @@ std::string Configuration::unknown_message(const Entry& entry) const {
   for (const std::string& table : tables) keys.erase(table);
   const std::set<std::string>& those = is_table && !tables.empty() ? tables : keys;
   const std::vector<std::string> candidates(those.begin(), those.end());
-  const std::string meant = is_table ? "" : key_meant(entry.key, candidates);
+  std::string meant = is_table ? "" : key_meant(entry.key, candidates);
+  const auto in_table = [&](const std::string& key) { return key.ends_with("." + entry.key); };
+  if (const auto found = std::ranges::find_if(candidates, in_table);
+      !is_table && meant.empty() && found != candidates.end())
+    meant = *found;  // such as "angle" outside its table
   return fmt::format("{}: unknown {} \"{}\"; {}", entry.key_place.text(), is_table ? "table" : "key", entry.key,
                      !meant.empty()
                          ? fmt::format("did you mean \"{}\"?", meant)

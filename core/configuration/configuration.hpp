@@ -47,6 +47,24 @@ class Configuration {
   /// A copy of this configuration with one more layer, which wins over the others.
   Configuration overlaid(std::string_view toml, const std::string& origin) const;
 
+  /// A copy in which `key` has the value at `list`: item `item` (from 0) of a list, or a single value (item 0). Messages
+  /// name the place of this item. No value of the copy counts as read. Tables above `key` that do not exist are added as
+  /// tables of the case. Throws ConfigurationError if `list` is missing and as overlay(), std::out_of_range if there is
+  /// no such item.
+  Configuration with_item(const std::string& key, std::string_view list, std::size_t item) const;
+  /// Records what was asked of `variant`, a copy of this configuration from with_item(): the keys that are known, and
+  /// the values that were read, except those that the variant replaces.
+  void adopt(const Configuration& variant) const;
+  /// Keys of the values and lists below a table, without its name, in the order of the files; empty if it is missing.
+  /// Throws ConfigurationError if `table` is a value.
+  std::vector<std::string> keys_below(std::string_view table) const;
+  /// The items of a list, or the single value, as texts without quotes. Throws ConfigurationError.
+  std::vector<std::string> items_of(std::string_view key) const;
+  /// Whether the configuration has the key, and its value is a list.
+  bool is_list(std::string_view key) const;
+  /// Throws ConfigurationError with a reason if no getter has read the value of `key`, which exists.
+  void require_effect(std::string_view key) const;
+
   /// Whether the configuration has the key, as a value or as a table. Marks the key as known.
   bool has(std::string_view key) const;
   /// Whether --config or an option added this table, which neither the case file nor its base has.
@@ -152,6 +170,7 @@ class Configuration {
   std::string reason_for_no_effect(const Entry& entry) const;
 
   std::string origin_;                                   ///< the case file
+  std::string users_file_;                               ///< the file of --config; empty: none
   std::string base_;                                     ///< the base of the case file; empty: none
   std::vector<Entry> entries_;                           ///< in file order, parents before children
   std::map<std::string, std::size_t, std::less<>> positions_;  ///< key -> its index in entries_

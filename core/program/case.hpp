@@ -32,6 +32,7 @@ struct Point {
   std::vector<std::string> tables = {};  ///< names, without extension, of its other files, such as "<name>_profiles"
   std::string curve = {};             ///< name that its replicates share; empty: `name`
   int grains = 0;                     ///< number of grains of its sample; 0: a closed-form sample, or several samples
+  std::string configuration = {};  ///< the part of the resolved configuration that decides its result; empty: all
 };
 
 /// The data and services for one run.
@@ -52,7 +53,8 @@ struct PointRun {
   Result result(Series series, std::vector<Metric> metrics) const;
 };
 
-/// A case: one folder below cases/. Its program calls the functions below (see run_case).
+/// A case: one folder below cases/. Its program calls the functions below (see run_case). A folder without claims.toml
+/// has no claims of the paper, and no settings of the paper to differ from.
 class Case {
  public:
   virtual ~Case() = default;

@@ -40,7 +40,6 @@ class CaseProgram {
               std::span<const char* const> arguments)
       : case_(the_case),
         options_(options),
-        folder_(folder),
         arguments_(arguments),
         configuration_(layers_of(options, folder / "case.toml")) {
     describe_vocabulary(configuration_);
@@ -48,7 +47,10 @@ class CaseProgram {
     configuration_.reject_unknown();
     points_ = case_.points();
     refuse_names_that_meet(points_, case_.tables());
-    changed_ = changed_settings(configuration_);
+    if (const std::filesystem::path claims = folder / "claims.toml"; std::filesystem::exists(claims)) {
+      claims_ = load_claims(claims);
+      changed_ = changed_settings(configuration_);
+    }
     for (const std::string& name : selected_points(options_, names(points_))) chosen_.insert(name);
   }
 
@@ -88,7 +90,6 @@ class CaseProgram {
     if (!changed_.empty() && !options_.json)
       std::cerr << fmt::format("flowslide: settings differ from those of the case: {}; its claims are not evaluated\n",
                                fmt::join(changed_, "; "));
-    const ClaimsFile claims = load_claims(folder_ / "claims.toml");
     nlohmann::ordered_json all;
     all["points"] = nlohmann::ordered_json::array();
     std::string text = "# name\tseconds\tdescription\n";
@@ -99,11 +100,11 @@ class CaseProgram {
                                {"figures", point.figures},
                                {"predicted_seconds", std::round(10.0 * point.predicted_seconds) / 10.0},
                                {"sample", point.sample},
-                               {"figure_only", claims.is_figure_only(point.name)},
+                               {"figure_only", claims_.is_figure_only(point.name)},
                                {"description", point.description}});
     }
     all["claims"] = nlohmann::ordered_json::array();
-    for (const Claim& claim : claims_at(claims.claims, options_.scale)) all["claims"].push_back(claim.id);
+    for (const Claim& claim : claims_at(claims_.claims, options_.scale)) all["claims"].push_back(claim.id);
     if (!changed_.empty()) all["changed"] = changed_;
     std::cout << (options_.json ? all.dump(1) + "\n" : text);
     return to_int(ExitCode::ok);
@@ -173,7 +174,8 @@ class CaseProgram {
   }
 
   RunIdentity identity_of(const Point& point) const {
-    return {case_.description().name, point.name, point.inputs, configuration_.resolved(), versions_of(point.inputs)};
+    const std::string configuration = point.configuration.empty() ? configuration_.resolved() : point.configuration;
+    return {case_.description().name, point.name, point.inputs, configuration, versions_of(point.inputs)};
   }
 
   /// Writes the tables of the figures, runs.dat with the runs that they show, and changes.txt with the settings that
@@ -245,7 +247,7 @@ class CaseProgram {
     std::vector<Provenance> origins;
     origins.reserve(present.size());
     for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
-    std::vector<Claim> claims = claims_at(load_claims(folder_ / "claims.toml").claims, options_.scale);
+    std::vector<Claim> claims = claims_at(claims_.claims, options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     std::vector<Verdict> verdicts = evaluate(claims, metrics);
     if (!changed_.empty())
@@ -297,11 +299,11 @@ class CaseProgram {
 
   Case& case_;
   const CommandLine& options_;
-  std::filesystem::path folder_;
   std::span<const char* const> arguments_;
   Configuration configuration_;
   std::vector<Point> points_;
-  std::vector<std::string> changed_;  ///< see changed_settings
+  ClaimsFile claims_;                 ///< of claims.toml; empty without this file
+  std::vector<std::string> changed_;  ///< see changed_settings; empty without claims.toml
   std::set<std::string> chosen_;
 };
 

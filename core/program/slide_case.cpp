@@ -92,9 +92,10 @@ void SlideCase::read(const Configuration& configuration) {
   slope_ = read_slope(configuration);
   check_strength(configuration, slope_, read_material(configuration).sliding_friction);
   seed_ = configuration.integer("seed", Range::between(0, 1e9));
+  std::function<std::unique_ptr<Sample>()> closed_form;
   if (is_closed_form(engine)) {
     read_closed_form_sample(configuration, engine, slope_);
-    closed_form_ = [configuration, engine, slope = slope_] {
+    closed_form = [configuration, engine, slope = slope_] {
       return read_closed_form_sample(configuration, engine, slope);
     };
   }
@@ -110,7 +111,8 @@ void SlideCase::read(const Configuration& configuration) {
       const std::string key = "point." + name + ".replicates";
       if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
       SlidePoint read = read_slide_point(configuration, name, common);
-      if (closed_form_) {
+      read.closed_form = closed_form;
+      if (closed_form) {
         read.point.sample.clear();
         read.point.grains = 0;
       } else {
@@ -119,7 +121,7 @@ void SlideCase::read(const Configuration& configuration) {
       if (!read.profiles.strains.empty()) read.point.tables.push_back(read.point.name + "_profiles");
       if (read.test && !picture_strains(read).empty()) read.point.tables.push_back(read.point.name + "_frames");
       for (const Metric& parameter : more_parameters(read)) read.parameters.push_back(parameter);
-      if (can_run(read, closed_form_ != nullptr))
+      if (can_run(read, closed_form != nullptr))
         slides_.push_back(std::move(read));
       else if (replicate == 0)
         left_out_.push_back(std::move(read));
@@ -140,7 +142,7 @@ const SlidePoint& SlideCase::slide(const std::string& point) const {
 void SlideCase::print_plan(const Point& point, std::ostream& out) const {
   const SlidePoint& planned = slide(point.name);
   const SlideSettings& settings = planned.settings;
-  if (!closed_form_) print_sample_plan(out, planned.sample, preparation_engine_);
+  if (!planned.closed_form) print_sample_plan(out, planned.sample, preparation_engine_);
   print_engine_plan(out, planned.sample.recipe, planned.engine, settings.passing.time_step);
   if (planned.test) {
     const double step = settings.passing.time_step;
@@ -154,7 +156,7 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
 }
 
 void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const {
-  if (closed_form_) return;
+  if (slide(point.name).closed_form) return;
   const SampleSpecification& sample = slide(point.name).sample;
   const auto engine = make_engine(preparation_engine_, "/dev/null", 0, all_ranks());
   const FoundSample found = find_sample(*engine, sample, sample_cache_folder(), progress, poll);
@@ -163,8 +165,8 @@ void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const
 
 SlideCase::Loaded SlideCase::load(SlidePoint& slide, const PointRun& run) const {
   Loaded loaded;
-  if (closed_form_) {
-    loaded.sample = closed_form_();
+  if (slide.closed_form) {
+    loaded.sample = slide.closed_form();
     loaded.metrics = {{"initial_void_ratio", loaded.sample->void_ratio(), "1", "void ratio of the closed-form sample"}};
     loaded.name = slide.engine;
     return loaded;

@@ -5,7 +5,6 @@
 // run of its own, so replicates can run side by side. A point may also be an element test of a sample alone. Element
 // tests are left out on a closed-form sample; with LIGGGHTS, points on samples that are periodic along z are left out.
 #pragma once
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -32,6 +31,7 @@ class SlideCase : public Case {
   explicit SlideCase(CaseDescription description);
 
   CaseDescription description() const override { return description_; }
+  /// Adds the points of `configuration`. A case may call it again with variants of its configuration.
   void read(const Configuration& configuration) override;
   std::vector<Point> points() const override;
   /// Names of the band tables of each slide: see finish().
@@ -99,7 +99,6 @@ class SlideCase : public Case {
 
   CaseDescription description_;
   std::string preparation_engine_;
-  std::function<std::unique_ptr<Sample>()> closed_form_;  ///< makes the closed-form sample; empty with a DEM engine
   std::int64_t seed_ = 1;
   SlopeProperties slope_;
   std::vector<SlidePoint> slides_;

@@ -24,11 +24,10 @@ constexpr double strain_at_peak = 0.01;    ///< about the strain at the peak of 
 
 const SampleSpecification& sample_named(const Configuration& configuration, const std::string& key,
                                         const std::vector<SampleSpecification>& samples) {
-  std::vector<std::string> names;
-  names.reserve(samples.size());
-  for (const SampleSpecification& sample : samples) names.push_back(sample.name);
-  const std::string name = configuration.text(key, names);
-  return samples[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+  const std::string name = configuration.text(key, configuration.subtables("sample"));
+  const auto found = std::ranges::find(samples, name, &SampleSpecification::name);
+  if (found == samples.end()) configuration.refuse(key, "names a sample that was not read", "report this defect");
+  return *found;
 }
 
 /// The recipe of the grains that the engine of a point moves; null for a closed form.

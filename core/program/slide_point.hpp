@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,8 @@ struct SlidePoint {
   ProfilePlan profiles;        ///< without strains no profile is taken
   std::vector<Metric> parameters;  ///< parameters for its result (see slide_parameters.hpp)
   bool published = true;  ///< the case has this point; false: the user added it
+  /// Makes the closed-form sample of a slide; empty with a DEM engine.
+  std::function<std::unique_ptr<Sample>()> closed_form = {};
 };
 
 /// What all points of one replicate of a case share.

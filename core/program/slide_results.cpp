@@ -102,9 +102,8 @@ void SlideCase::write_empty_tables(const OutputFolder& output) const {
         write_table(output.file(fmt::format("{}_over_{}.dat", name, abscissa)),
                     band_table(description_.name, name, 0, band_over({none}, abscissa, band_rows)));
   }
-  if (!closed_form_) return;
   for (const SlidePoint& slide : slides_)
-    if (slide.replicate == 0 && !slide.profiles.strains.empty())
+    if (slide.closed_form && slide.replicate == 0 && !slide.profiles.strains.empty())
       write_table(output.file(slide.name + "_profiles_band.dat"),
                   band_table(description_.name, slide.name, 0, band_of_rows({ProfileRecord(slide.profiles).series()})));
 }

@@ -56,6 +56,14 @@ TEST(Configuration, ProposesTheKeyOfASymbol) {
             "mine.toml:4:1: unknown key \"loading.A\"; did you mean \"loading.amplitude\"?");
 }
 
+TEST(Configuration, ProposesTheTableOfAKeyThatStandsOutsideIt) {
+  const auto c = Configuration::from_text("angle = 1\n", "mine.toml");
+  c.has("slope.angle");
+  c.has("engine");
+  EXPECT_EQ(message_of<ConfigurationError>([&] { c.reject_unknown(); }),
+            "mine.toml:1:1: unknown key \"angle\"; did you mean \"slope.angle\"?");
+}
+
 TEST(Configuration, RefusesByARuleOverSeveralKeys) {
   const auto c = Configuration::from_text("dt = \"1 s\"\n", "case.toml");
   EXPECT_EQ(message_of<ConfigurationError>([&] { c.refuse("dt", "is above 0.65 Rayleigh times, 4e-6 s", "lower it"); }),

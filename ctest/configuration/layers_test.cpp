@@ -253,6 +253,7 @@ TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
   EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("sample.shape"); }),
                   "case.toml: the key \"sample.shape\" is missing");
   EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("title"); }), "case.toml: the key \"title\" is missing");
+  EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("title"); }), "user.toml or with --set title=VALUE");
 }
 
 }  // namespace

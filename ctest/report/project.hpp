@@ -18,14 +18,17 @@ inline void write_file(const std::filesystem::path& file, const std::string& con
   write_atomically(file, content);
 }
 
-/// shear: two figures of which one is drawn, a run, a torn one, claims and a table; speed: nothing. No case: ignored.
+/// shear: two figures of which one is drawn, a run, a torn one, claims and a table; speed: nothing. No case,
+/// and a study of the user's own: ignored.
 inline void write_project(const std::filesystem::path& folder) {
   write_file(folder / "plots/figures.txt",
-             "# a comment\nfig03  shear  fig03.gp  stress path\nfig04  shear  fig04.gp  two rates\n");
+             "# a comment\nfig03  shear  fig03.gp  stress path\nfig04  shear  fig04.gp  two rates\n"
+             "study  study  study.gp  a study of your own\n");
   write_file(folder / "cases/shear/case.toml", "");
   write_file(folder / "cases/shear/README.md",
              "# Shear & more\n\n## What is done\n\nSee [Fig. 12](../x.md) and [this](https://example.org/).\n\n## Rest\n");
   write_file(folder / "cases/speed/case.toml", "");
+  write_file(folder / "cases/study/case.toml", "");
   write_file(folder / "cases/notes.txt", "");
   const auto results = folder / "results/shear/quick";
   write_file(results / "fig03.png", "PNG");

@@ -37,6 +37,7 @@ settings_for() {
   [[ -n $sample ]] || return 0
   printf '%s\n' "${small[@]}" --set "sample.$sample.tolerance=0.3"
   if [[ $test == *' to '*' %'* ]]; then printf '%s\n' --set "point.${point%_r[0-9]*}.final_strain=0.001 %"
+  elif [[ $program == */study ]]; then printf '%s\n' --set 'stop.end_time=20 ms'   # it has no tables of points
   else printf '%s\n' --set "point.${point%_r[0-9]*}.stop.end_time=20 ms"; fi
 }
 
