@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# links_test.sh: every link of README.md, docs and the READMEs of the cases points to a file and a heading that are there,
-# every page of docs is linked from README.md, and README.md is below 10 kB. Links to the web are not tried.
+# links_test.sh: every link of README.md, docs and the READMEs of the cases points to a file and a heading that are there.
+# So does every path in code, such as `core/slope/sliding.hpp`, and every label of a test (`-L paper`). Every page of docs is
+# linked from README.md, and README.md is below 10 kB. Links to the web are not tried.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -20,6 +21,12 @@ links_of() {
     grep -oP '\]\(\K[^)\s]+(?=\))' || true
 }
 
+# paths_of PAGE: prints the paths that its code spans name; of a command its first word.
+paths_of() {
+  awk '/^```/ { fenced = !fenced; next } !fenced { print }' "$1" | tr '\n' ' ' | grep -oP '`[^`]+`' |
+    grep -oP '^`\K(core|cases|ctest|docs|examples|plots|scripts)/[A-Za-z0-9_./-]+(?=[` ])' | sort -u || true
+}
+
 pages=(README.md CONTRIBUTING.md docs/*.md cases/*/README.md ctest/README.md)
 for page in "${pages[@]}"; do
   [[ -e $page ]] || { complain "$page is missing"; continue; }
@@ -36,6 +43,13 @@ for page in "${pages[@]}"; do
       complain "$page: $link: there is no such heading in $target"
     fi
   done < <(links_of "$page")
+  while IFS= read -r path; do
+    links=$((links + 1))
+    [[ -e $path || -e $(dirname "$page")/$path ]] || complain "$page: \`$path\`: there is no such file"
+  done < <(paths_of "$page")
+  while IFS= read -r label; do
+    grep -qE "^\| ([a-z-]+, )*$label(, [a-z-]+)* \|" ctest/README.md || complain "$page: ctest/README.md has no label $label"
+  done < <(grep -oP '(ctest|check).*? -L \K[a-z-]+' "$page" | sort -u)
 done
 for page in docs/*.md; do
   links_of README.md | grep -qxF "$page" || complain "README.md does not link to $page"
