@@ -12,7 +12,7 @@ namespace flowslide {
 /// Name of a replicate. `replicate` counts from 0; the first has no number: "e0_790", "e0_790_r2".
 std::string replicate_name(const std::string& point, int replicate);
 
-/// Processor time of one grain for one step on one core, s, in a dense sample (README, "Engines"). 0 for closed-form
+/// Processor time of one grain for one step on one core, s, in a dense sample (docs/performance.md). 0 for closed-form
 /// samples. Used for predictions only.
 double seconds_per_grain_and_step(const std::string& engine);
 

@@ -23,7 +23,7 @@ commands_of() {
 # Lines PAGE<TAB>CASE OF THE PAGE<TAB>COMMAND.
 collect() {
   local page case
-  for page in README.md docs/*.md cases/*/README.md; do
+  for page in README.md CONTRIBUTING.md docs/*.md cases/*/README.md; do
     case=$(basename "$(dirname "$page")")
     [[ $page == cases/* ]] || case=fig03_undrained   # of which its options alone are
     commands_of "$page" | sed -e 's/  *#.*//' -e "s|^|$page\t$case\t|"
@@ -39,8 +39,8 @@ collect() {
   done
 }
 
-# The study of your own of README.md, in the scratch folder.
-awk '/^```/ { inside = !inside; next } inside && /^\[sample.mine\]/ { mine = 1 } !inside { mine = 0 } mine' README.md |
+# The run of your own of docs/configuration.md, in the scratch folder.
+awk '/^```/ { inside = !inside; next } inside && /^\[sample.mine\]/ { mine = 1 } !inside { mine = 0 } mine' docs/configuration.md |
   sed 's|"[^"]*load.txt"|"'"$room"'/load.txt"|' >"$room/mine.toml"
 printf '0 0\n1 500\n' >"$room/load.txt"
 cp examples/slope_angle.toml "$room/study.toml"   # that of docs/own-study.md

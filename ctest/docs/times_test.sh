@@ -7,12 +7,12 @@ cases=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.."
 
 wrong=0
-table=$(sed -n '/^<!-- times -->$/,/^<!-- \/times -->$/{/^<!--/!p}' README.md)
-if ! difference=$(diff <(scripts/predicted_times "$cases") - <<<"$table"); then
+table=$(sed -n '/^<!-- output:predicted_times -->$/,/^<!-- \/output -->$/{/^<!--/!p}' README.md)
+if ! difference=$(diff <(FLOWSLIDE_CASES=$cases scripts/predicted_times) - <<<"$table"); then
   echo "README.md: the predicted times (<) are not those of the table (>); scripts/update_readme writes it:"
   echo "$difference"
   wrong=1
 fi
-grep -nE '[0-9] h (of|on) one core|\b(s|min|minutes?|hours?) (of|on) one core|[0-9] (s|min|h) by `--list`|^\| time (on one core )?\|' README.md cases/*/README.md &&
+grep -nE '[0-9] h (of|on) one core|\b(s|min|minutes?|hours?) (of|on) one core|[0-9] (s|min|h) by `--list`|^\| time (on one core )?\|' README.md docs/*.md cases/*/README.md &&
   { echo 'these lines give a time of their own; name the table of README.md, or --list, instead'; wrong=1; }
 ((wrong == 0))

@@ -7,7 +7,7 @@ script=$(realpath "$0")
 checks_itself=$(($# == 0))
 root=${1:-$(dirname "$script")/../..}
 
-# What a folder may include besides itself, as README, "Architecture" has it.
+# What a folder may include besides itself, as docs/extending.md has it.
 below_program='slope grains configuration process dem record sample coupling claims sample_library experiment input run'
 declare -A below=(
   [slope]='' [grains]='' [configuration]='' [process]=''
