@@ -303,10 +303,13 @@ std::vector<Change> Configuration::changes() const {
     if (value == resolved_.end()) continue;
     const auto before = std::find_if(published_.begin(), published_.end(),
                                      [&](const Entry& published) { return published.key == entry.key; });
+    const auto* text = std::get_if<std::string>(&entry.whole.value);
+    const bool is_text = entry.kind == Entry::Kind::value && text != nullptr;
+    const std::string now = is_text ? canonical(std::string_view(*text)) : value->second;
     if (before == published_.end())
-      changes.push_back({entry.key, value->second, ""});
+      changes.push_back({entry.key, now, ""});
     else if (!same(entry, *before))
-      changes.push_back({entry.key, value->second, before->whole.written});
+      changes.push_back({entry.key, now, before->whole.written});
   }
   return changes;
 }

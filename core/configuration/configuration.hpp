@@ -23,7 +23,7 @@ namespace flowslide {
 /// A value that a user file (--config), --set or another option has changed.
 struct Change {
   std::string key;
-  std::string value;   ///< the new value in the form of resolved(): "28340.0 Pa"
+  std::string value;   ///< the new value: a text as written, "3 deg"; another value in the form of resolved()
   std::string before;  ///< the value of the case file or its base, as written; empty: they have no such key
 };
 

@@ -8,7 +8,7 @@
 namespace flowslide {
 
 /// The settings that differ from those of the case, one text for each:
-///   loading.amplitude = 2000.0 Pa, not "3 kPa"
+///   loading.amplitude = "2 kPa", not "3 kPa"
 /// The claims of the paper assume the settings of the case. They are not evaluated if this list is not empty.
 ///
 /// Two groups of settings are left out. First, those that change how a run is computed but not what it models: the

@@ -336,7 +336,7 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   EXPECT_CONTAINS(outcome.output, "a key with a bare number takes bare numbers only\n");
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # case/case.toml:5\n", "count = 3"));
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # --set size=1 cm\n", "size = \"0.01 m\""));
-  EXPECT_CONTAINS(outcome.output, "\n# changed: size = \"0.01 m\", not \"2 mm\"\n");
+  EXPECT_CONTAINS(outcome.output, "\n# changed: size = \"1 cm\", not \"2 mm\"\n");
   EXPECT_CONTAINS(outcome.output, "# point a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");
   EXPECT_CONTAINS_NOT(outcome.output, "point b");
   EXPECT_TRUE(outcome.ran.empty());
