@@ -40,8 +40,8 @@ std::string lammps_data(const PeerSample& sample) {
   const char* axes = "xyz";
   for (int axis = 0; axis < 3; ++axis) {
     const double margin = grains.cell.periodic[axis] ? 0.0 : box_margin * grains.cell.lengths()[axis];
-    text += fmt::format("{:.17g} {:.17g} {}lo {}hi\n", grains.cell.lower[axis] - margin, grains.cell.upper[axis] + margin,
-                        axes[axis], axes[axis]);
+    text += fmt::format("{:.17g} {:.17g} {}lo {}hi\n", grains.cell.lower[axis] - margin,
+                        grains.cell.upper[axis] + margin, axes[axis], axes[axis]);
   }
   text += "\nAtoms # sphere\n\n";
   const auto out = std::back_inserter(text);
@@ -53,8 +53,8 @@ std::string lammps_data(const PeerSample& sample) {
   text += "\nVelocities\n\n";
   for (std::size_t i = 0; i < grains.size(); ++i) {
     const Vector3 &v = grains.velocity[i], &w = grains.spin[i];
-    fmt::format_to(out, "{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x(), v.y(), v.z(), w.x(), w.y(),
-                   w.z());
+    fmt::format_to(out, "{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x(), v.y(), v.z(), w.x(),
+                   w.y(), w.z());
   }
   return text;
 }

@@ -22,22 +22,23 @@ struct PeerSteps {
 /// LIGGGHTS.
 inline constexpr double peer_skin_share = 0.05;
 
-/// The data file of LAMMPS (atom_style sphere). Types are 1 for mobile grains, 2 for the bottom and 3 for the top layer.
+/// The data file of LAMMPS (atom_style sphere). Types are 1 for mobile grains, 2 for the bottom and 3 for the top
+/// layer.
 std::string lammps_data(const PeerSample& sample);
 
 /// The restitution for which `damping tsuji` of LAMMPS has the normal dashpot of this project: 0.7292 for e = 0.8. The
 /// polynomial of LAMMPS gives 0.71 of this dashpot for e = 0.8 itself.
 double tsuji_restitution(const PairConstants& pair);
 
-/// gamma_n and gamma_t of gran/hertz/history, 1/(m s). Its dashpots are gamma sqrt(R* delta) m*; they equal those of this
-/// project at the typical contact alone.
+/// gamma_n and gamma_t of gran/hertz/history, 1/(m s). Its dashpots are gamma sqrt(R* delta) m*; they equal those of
+/// this project at the typical contact alone.
 struct HertzHistoryDamping {
   double normal = 0.0, tangential = 0.0;
 };
 HertzHistoryDamping hertz_history_damping(const TypicalContact& typical);
 
-/// The script of LAMMPS: reads `data`, evaluates the forces of the initial state without tangential springs, writes them to
-/// `forces` (columns id fx fy fz, N), then makes the steps.
+/// The script of LAMMPS: reads `data`, evaluates the forces of the initial state without tangential springs, writes
+/// them to `forces` (columns id fx fy fz, N), then makes the steps.
 std::string lammps_script(const PeerSample& sample, LammpsLaw law, const PeerSteps& steps, const std::string& data,
                           const std::string& forces);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // peer_bench [--scenes STATE/N,...] [--codes A,B] [--turns N] [--seconds S] [--output DIR]
-// Times this project's kernel, LIGGGHTS, LAMMPS and YADE by turns on the same samples, with the paper's dt_L. Writes the
-// input of each code into a folder for each sample. A code whose forces of the initial state are not those of its law, as this
-// project evaluates it, is refused. Prints tables in Markdown.
+// Times this project's kernel, LIGGGHTS, LAMMPS and YADE by turns on the same samples, with the paper's dt_L. Writes
+// the input of each code into a folder for each sample. A code whose forces of the initial state are not those of its
+// law, as this project evaluates it, is refused. Prints tables in Markdown.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sched.h>
@@ -77,7 +77,8 @@ PeerScene make_scene(const std::string& text, const std::filesystem::path& outpu
   } catch (const std::logic_error&) {
   }
   if (grains < 27)
-    throw ConfigurationError(fmt::format("scene '{}'; allowed: a state, a slash and at least 27 grains, such as rest/1100", text));
+    throw ConfigurationError(
+        fmt::format("scene '{}'; allowed: a state, a slash and at least 27 grains, such as rest/1100", text));
   BenchState state = bench_state(text.substr(0, slash), grains);
   PeerScene scene;
   scene.name = state.name;
@@ -90,17 +91,19 @@ PeerScene make_scene(const std::string& text, const std::filesystem::path& outpu
   }
   scene.sample.top_velocity = state.shear_rate * scene.sample.assembly.cell.height();
   scene.sample = with_layers_moving(std::move(scene.sample));
-  const ContactForces forces = evaluate_contact_forces(scene.sample.assembly, scene.sample.material, scene.sample.time_step);
+  const ContactForces forces =
+      evaluate_contact_forces(scene.sample.assembly, scene.sample.material, scene.sample.time_step);
   scene.contacts = forces.contacts.size();
-  fmt::print("{} with {} grains: {} mobile grains touch a plane behind a layer; LAMMPS and YADE have no planes.\n", scene.name,
-             scene.sample.assembly.size(), forces.plane_contacts.size());
+  fmt::print("{} with {} grains: {} mobile grains touch a plane behind a layer; LAMMPS and YADE have no planes.\n",
+             scene.name, scene.sample.assembly.size(), forces.plane_contacts.size());
   scene.folder = std::filesystem::absolute(output / fmt::format("{}_{}", scene.name, grains));
   std::filesystem::create_directories(scene.folder);
   write_text(scene.folder / "sample.txt", sample_table(scene.sample));
   return scene;
 }
 
-/// The first turn of a code: its input, one run, and its initial state. Throws std::runtime_error if it fails or differs.
+/// The first turn of a code: its input, one run, and its initial state. Throws std::runtime_error if it fails or
+/// differs.
 PeerRow begin(const PeerScene& scene, const PeerCode& code, const PeerSteps& steps) {
   code.write(scene, steps);
   PeerRow row{&code, {}, {code.run(scene, steps)}};
@@ -125,7 +128,8 @@ std::vector<PeerRow> measure(const PeerScene& scene, const std::vector<PeerCode>
     try {
       rows.push_back(begin(scene, code, steps_of(code)));
     } catch (const std::runtime_error& error) {
-      fmt::print("{} with {} grains, {} is refused: {}\n", scene.name, scene.sample.assembly.size(), code.name, error.what());
+      fmt::print("{} with {} grains, {} is refused: {}\n", scene.name, scene.sample.assembly.size(), code.name,
+                 error.what());
     }
   }
   for (int turn = 1; turn < options.turns; ++turn)

@@ -30,8 +30,9 @@ constexpr const char* table_name = "sample.txt";
 std::string debian_version(const std::string& package) {
   const std::filesystem::path room = std::filesystem::temp_directory_path();
   try {
-    return package + " " + run_program({"dpkg-query", "-W", "-f", "${Version}", package}, room,
-                                       fmt::format("flowslide_version_{}", package));
+    return package + " " +
+           run_program({"dpkg-query", "-W", "-f", "${Version}", package}, room,
+                       fmt::format("flowslide_version_{}", package));
   } catch (const std::runtime_error&) {
     return package + " of unknown version";
   }
@@ -86,7 +87,8 @@ struct EngineCode {
     FirstState state;
     state.found = {found.normal, found.shear};
     state.expected = state.ours = {ours.normal, ours.shear};
-    state.error = std::max(std::abs(found.normal - ours.normal), std::abs(found.shear - ours.shear)) / std::abs(ours.normal);
+    state.error =
+        std::max(std::abs(found.normal - ours.normal), std::abs(found.shear - ours.shear)) / std::abs(ours.normal);
     state.tolerance = engine == "native-mixed" ? tolerance_mixed : tolerance_double;
     return state;
   }
@@ -114,13 +116,13 @@ std::function<FirstState(const PeerScene&)> state_from_forces(
     const std::vector<Vector3> found = read_forces(scene.folder / (name + ".forces"), grains.size());
     const std::vector<Vector3> expected = first_forces(scene.sample, law(scene));
     return FirstState{section_stress(grains, found), section_stress(grains, expected),
-                      section_stress(grains, first_forces_of_this_project(scene.sample)),
-                      force_error(found, expected), tolerance_double};
+                      section_stress(grains, first_forces_of_this_project(scene.sample)), force_error(found, expected),
+                      tolerance_double};
   };
 }
 
-/// Timed steps per second from what a code has printed: the last match of a pattern with (steps) and (seconds) in this order
-/// or the other.
+/// Timed steps per second from what a code has printed: the last match of a pattern with (steps) and (seconds) in this
+/// order or the other.
 double speed_in(const std::string& said, const std::string& pattern, bool steps_first, const std::string& name) {
   const std::regex line(pattern);
   double speed = 0.0;
@@ -141,21 +143,21 @@ PeerCode lammps_code(const std::string& name, LammpsLaw law, double usual_rate) 
     first.tangential_rate = damping.tangential;
     return first;
   };
-  return {name,
-          debian_version("lammps"),
-          1,
-          law == LammpsLaw::granular,
-          usual_rate,
-          [=](const PeerScene& scene, const PeerSteps& steps) {
-            write_text(scene.folder / data_name, lammps_data(scene.sample));
-            write_text(scene.folder / (name + ".in"),
-                       lammps_script(scene.sample, law, steps, data_name, name + ".forces"));
-          },
-          [=](const PeerScene& scene, const PeerSteps&) {
-            const std::string said = run_program({"lmp", "-log", "none", "-in", name + ".in"}, scene.folder, name + ".log");
-            return speed_in(said, R"(Loop time of (\S+) on \d+ procs for (\d+) steps)", false, name);
-          },
-          state_from_forces(name, first_law)};
+  return {
+      name,
+      debian_version("lammps"),
+      1,
+      law == LammpsLaw::granular,
+      usual_rate,
+      [=](const PeerScene& scene, const PeerSteps& steps) {
+        write_text(scene.folder / data_name, lammps_data(scene.sample));
+        write_text(scene.folder / (name + ".in"), lammps_script(scene.sample, law, steps, data_name, name + ".forces"));
+      },
+      [=](const PeerScene& scene, const PeerSteps&) {
+        const std::string said = run_program({"lmp", "-log", "none", "-in", name + ".in"}, scene.folder, name + ".log");
+        return speed_in(said, R"(Loop time of (\S+) on \d+ procs for (\d+) steps)", false, name);
+      },
+      state_from_forces(name, first_law)};
 }
 
 PeerCode yade_code(const std::string& name, int threads, double usual_rate) {
@@ -170,8 +172,8 @@ PeerCode yade_code(const std::string& name, int threads, double usual_rate) {
             write_text(scene.folder / (name + ".py"), yade_script(scene.sample, steps, table_name, name + ".forces"));
           },
           [=](const PeerScene& scene, const PeerSteps&) {
-            const std::string said =
-                run_program({"yade", "-n", "-x", fmt::format("-j{}", threads), name + ".py"}, scene.folder, name + ".log");
+            const std::string said = run_program({"yade", "-n", "-x", fmt::format("-j{}", threads), name + ".py"},
+                                                 scene.folder, name + ".log");
             return speed_in(said, R"(flowslide: (\d+) steps in (\S+) s)", true, name);
           },
           state_from_forces(name, [law](const PeerScene&) { return law; })};
@@ -180,8 +182,17 @@ PeerCode yade_code(const std::string& name, int threads, double usual_rate) {
 }  // namespace
 
 std::vector<std::string> peer_code_names() {
-  return {"native",      "native-mixed",   "native-no-rolling", "native-mixed-no-rolling", "native-2", "native-mixed-2",
-          "liggghts",    "lammps-granular", "lammps-hertz",     "yade",                    "yade-2"};
+  return {"native",
+          "native-mixed",
+          "native-no-rolling",
+          "native-mixed-no-rolling",
+          "native-2",
+          "native-mixed-2",
+          "liggghts",
+          "lammps-granular",
+          "lammps-hertz",
+          "yade",
+          "yade-2"};
 }
 
 std::vector<PeerCode> peer_codes(int cores, std::vector<std::string>& left_out) {

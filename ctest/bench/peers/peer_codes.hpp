@@ -33,11 +33,11 @@ struct FirstState {
 
 /// A code with one law and one number of threads.
 struct PeerCode {
-  std::string name;            ///< also the name of its files
+  std::string name;  ///< also the name of its files
   std::string version;
   int threads = 1;
   bool rolling = true;
-  double usual_rate = 1e6;     ///< grains times steps per second, only to choose the number of steps
+  double usual_rate = 1e6;  ///< grains times steps per second, only to choose the number of steps
   /// Writes the input into the folder of the scene.
   std::function<void(const PeerScene&, const PeerSteps&)> write;
   /// Makes the steps on the cores that this process may use. Returns timed steps per second. Throws std::runtime_error,

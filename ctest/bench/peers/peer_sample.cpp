@@ -35,7 +35,8 @@ TypicalContact typical_contact(const PeerSample& sample) {
     const PairConstants constants = pair_constants(material, grains.radius[pair.first], grains.radius[pair.second]);
     contacts.emplace_back(std::sqrt(constants.effective_radius * (reach - distance)), constants);
   }
-  if (contacts.empty()) throw std::invalid_argument("a sample for other codes has no contacts; prepare it under stress");
+  if (contacts.empty())
+    throw std::invalid_argument("a sample for other codes has no contacts; prepare it under stress");
   const auto middle = contacts.begin() + static_cast<std::ptrdiff_t>(contacts.size() / 2);
   std::nth_element(contacts.begin(), middle, contacts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -12,8 +12,8 @@ namespace {
 bool is_counterpart(const PeerRow& row, const std::string& engine, const PeerRow& other) {
   const std::string& name = row.code->name;
   const bool mixed = name.starts_with("native-mixed");
-  return name.starts_with("native") && mixed == (engine == "native-mixed") && row.code->threads == other.code->threads &&
-         row.code->rolling == other.code->rolling;
+  return name.starts_with("native") && mixed == (engine == "native-mixed") &&
+         row.code->threads == other.code->threads && row.code->rolling == other.code->rolling;
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ double times_slower(const PeerRow& row, const std::string& engine, const std::ve
 }
 
 std::string speed_header() {
-  return "| N | state | contacts | code | cores | steps/s | ns per contact and step | native / code | native-mixed / code |\n"
+  return "| N | state | contacts | code | cores | steps/s | ns per contact and step | native / code | native-mixed / "
+         "code |\n"
          "|---|---|---|---|---|---|---|---|---|\n";
 }
 
@@ -52,7 +53,8 @@ std::string speed_lines(const PeerScene& scene, const std::vector<PeerRow>& rows
 }
 
 std::string stress_header() {
-  return "| N | state | code | sigma (Pa) | tau (Pa) | sigma by its law | tau by its law | sigma by ours | tau by ours | "
+  return "| N | state | code | sigma (Pa) | tau (Pa) | sigma by its law | tau by its law | sigma by ours | tau by ours "
+         "| "
          "error |\n|---|---|---|---|---|---|---|---|---|---|\n";
 }
 

@@ -16,8 +16,8 @@ struct PeerRow {
 
 double median(std::vector<double> values);
 
-/// The median over the turns of the speed of `engine` with the threads and the rolling part of `row`, over that of `row`. 0
-/// if there is no such engine among the rows.
+/// The median over the turns of the speed of `engine` with the threads and the rolling part of `row`, over that of
+/// `row`. 0 if there is no such engine among the rows.
 double times_slower(const PeerRow& row, const std::string& engine, const std::vector<PeerRow>& rows);
 
 /// The speeds of a scene as lines of a Markdown table, under `speed_header`.

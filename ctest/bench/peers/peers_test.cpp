@@ -152,7 +152,8 @@ TEST_P(Peers, BeginWithTheForcesOfTheirLaw) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Peers, testing::Values("native", "native-no-rolling", "lammps-granular", "lammps-hertz", "yade"));
+INSTANTIATE_TEST_SUITE_P(All, Peers,
+                         testing::Values("native", "native-no-rolling", "lammps-granular", "lammps-hertz", "yade"));
 INSTANTIATE_TEST_SUITE_P(Liggghts, Peers, testing::Values("liggghts"));
 
 }  // namespace

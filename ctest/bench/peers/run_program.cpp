@@ -51,8 +51,7 @@ std::string run_program(const std::vector<std::string>& words, const std::filesy
   });
   const int code = process.wait();
   std::string said = process.said();
-  if (code != 0)
-    throw std::runtime_error(fmt::format("{} ended with {}:{}", words.front(), code, end_of(said)));
+  if (code != 0) throw std::runtime_error(fmt::format("{} ended with {}:{}", words.front(), code, end_of(said)));
   return said;
 }
 

@@ -35,7 +35,8 @@ std::string yade_script(const PeerSample& sample, const PeerSteps& steps, const 
       "        body.state.blockedDOFs = 'xyzXYZ'\n"
       "    O.bodies.append(body)\n",
       table);
-  // betan and betas are fractions of 2 sqrt(S m*). Bending moments have one stiffness, and the cap eta (R_1 + R_2)/2 F_n.
+  // betan and betas are fractions of 2 sqrt(S m*). Bending moments have one stiffness, and the cap eta (R_1 + R_2)/2
+  // F_n.
   const double dashpot = 0.5 * dashpot_coefficient(typical.pair);
   text += fmt::format(
       "O.engines = [\n"
@@ -43,7 +44,8 @@ std::string yade_script(const PeerSample& sample, const PeerSteps& steps, const 
       "    InsertionSortCollider([Bo1_Sphere_Aabb()], verletDist={:.17g}, avoidSelfInteractionMask=6),\n"
       "    InteractionLoop(\n"
       "        [Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False)],\n"
-      "        [Ip2_FrictMat_FrictMat_MindlinPhys(betan={:.17g}, betas={:.17g}, krot={:.17g}, ktwist=0, eta={:.17g})],\n"
+      "        [Ip2_FrictMat_FrictMat_MindlinPhys(betan={:.17g}, betas={:.17g}, krot={:.17g}, ktwist=0, "
+      "eta={:.17g})],\n"
       "        [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),\n"
       "    NewtonIntegrator(damping=0, gravity=(0, 0, 0)),\n"
       "]\n",
