@@ -47,7 +47,8 @@ Vector3 pair_force(const PeerSample& sample, const TouchingPair& pair, const Fir
   double normal = stiffness.normal * overlap - stiffness.normal_damping * separation;
   if (law.attraction_left_out || sample.material.normal_force_limited) normal = std::max(0.0, normal);
   const Vector3 tangential = -stiffness.tangential_damping * slip;
-  const bool left_out = law.none_beyond_cap && tangential.norm() > sample.material.sliding_friction * std::abs(normal);
+  const double cap = sample.material.sliding_friction * std::abs(normal);
+  const bool left_out = (law.none_beyond_cap && tangential.norm() > cap) || (law.attraction_left_out && cap == 0.0);
   return left_out ? Vector3(normal * n) : Vector3(normal * n + tangential);
 }
 

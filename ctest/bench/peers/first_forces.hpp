@@ -15,7 +15,7 @@ struct FirstStepLaw {
   bool arms_to_surface = false;      ///< the velocity of the surface is that at R, not at R - delta/2
   bool none_beyond_cap = false;      ///< F_t is 0 if the tangential dashpot exceeds mu |F_n|
   bool glued_are_heavy = false;      ///< m* of a pair with a glued grain is the mass of the other grain
-  bool attraction_left_out = false;  ///< F_n is at least 0
+  bool attraction_left_out = false;  ///< F_n is at least 0; where it is 0, F_t is 0 as well
   double normal_rate = 0.0;          ///< gamma_n = rate sqrt(R* delta) m*, 1/(m s); 0: as in this project
   double tangential_rate = 0.0;      ///< likewise for gamma_t
 };
