@@ -9,8 +9,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "bench_states.hpp"
 #include "configuration/error.hpp"
@@ -69,17 +71,23 @@ class Cores {
   cpu_set_t all_;
 };
 
-PeerScene make_scene(const std::string& text, const std::filesystem::path& output) {
-  const std::size_t slash = text.find('/');
+/// State and number of grains of a scene. Throws ConfigurationError.
+std::pair<std::string, int> scene_words(const std::string& text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::string state = text.substr(0, slash), number = text.substr(std::min(slash + 1, text.size()));
+  const std::vector<std::string> states = bench_state_names();
   int grains = 0;
-  try {
-    if (slash != std::string::npos) grains = std::stoi(text.substr(slash + 1));
-  } catch (const std::logic_error&) {
-  }
-  if (grains < 27)
+  std::from_chars(number.data(), number.data() + number.size(), grains);
+  if (std::find(states.begin(), states.end(), state) == states.end() || grains < 27)
     throw ConfigurationError(
-        fmt::format("scene '{}'; allowed: a state, a slash and at least 27 grains, such as rest/1100", text));
-  BenchState state = bench_state(text.substr(0, slash), grains);
+        fmt::format("scene '{}'; allowed: one of {}, a slash and at least 27 grains, such as rest/1100", text,
+                    fmt::join(states, ", ")));
+  return {state, grains};
+}
+
+PeerScene make_scene(const std::string& text, const std::filesystem::path& output) {
+  const auto [name, grains] = scene_words(text);
+  BenchState state = bench_state(name, grains);
   PeerScene scene;
   scene.name = state.name;
   scene.sample.assembly = std::move(state.assembly);
@@ -143,6 +151,7 @@ std::vector<PeerRow> measure(const PeerScene& scene, const std::vector<PeerCode>
 
 int run(int argc, char** argv) {
   const Options options = read_options(argc, argv);
+  for (const std::string& text : options.scenes) scene_words(text);
   const Cores cores;
   std::vector<std::string> left_out;
   std::vector<PeerCode> codes = peer_codes(cores.count(), left_out);
