@@ -3,21 +3,21 @@
 # sample, thick: the median with a band from the lowest to the highest; (C) excess pore pressure, the same without the
 # samples; (D) largest velocity over the swept quantity, with the range of the samples; without a sweep the velocity over
 # time. Colours follow the value of the swept quantity, dashes the scheme.
-tables = "runs.dat sweep.dat legend.txt"
+tables = "slides.dat sweep.dat legend.txt"
 command = "./reproduce study --config FILE"
 script = ARG0; folder = ARG1; picture = ARG2
 here = script[1:strlen(script) - strlen("study.gp")]
 load here."style.gp"
 
-runs = values_of("runs.dat", "slide"); count = words(runs)
-schemes = values_of("runs.dat", "scheme")
-values = values_of("runs.dat", "value")
-several = values_of("runs.dat", "samples") ne "1"
+runs = values_of("slides.dat", "slide"); count = words(runs)
+schemes = values_of("slides.dat", "scheme")
+values = values_of("slides.dat", "value")
+several = values_of("slides.dat", "samples") ne "1"
 names = names_in("sweep.dat")
 swept = rows("sweep.dat") > 0
 largest(s, of) = optional(names, s."_largest_velocity_".of)   # missing if the runs are too short
 place(wanted, list) = sum [i = 1:words(list)] (word(list, i) eq wanted ? i : 0)
-of_run(i, name) = asked("values", "-v name=".name." -v key=slide -v is=".shell_quoted(word(runs, i)), "runs.dat")
+of_run(i, name) = asked("values", "-v name=".name." -v key=slide -v is=".shell_quoted(word(runs, i)), "slides.dat")
 
 # Colours in the order of the values, from dark to light.
 array anchor[5] = [black, blue, green, orange, vermillion]
@@ -53,13 +53,13 @@ if (power != 0) {
   times = sprintf("10^{%s%d}", power < 0 ? "−" : "", abs(power))
   axis = bracket > 0 ? axis[1:bracket].times." ".axis[bracket + 1:*] : axis." (".times.")"
 }
-set label 101 label_of("note") at screen 0.995, screen 0.015 right font ",6" textcolor rgb grey
 array shape[4] = [7, 5, 9, 11]
+corner = changed.label_of("note").(several ? "; thin: each sample; thick: median; bands and bars: lowest to highest" : "")
 
 do for [format in "png pdf"] {
   eval terminal(format, 16, 12.4)
   set output picture.".".format
-  set multiplot layout 2, 2 margins 0.095, 0.845, 0.115, 0.93 spacing 0.12, 0.145
+  set multiplot layout 2, 2 margins 0.095, 0.845, 0.115, 0.92 spacing 0.12, 0.145 title corner @in_corner
   set tics font ",6.5"
   set xlabel "normal stress {/Symbol s} (kPa)"
   set ylabel "shear stress {/Symbol t} (kPa)" offset 1

@@ -111,7 +111,7 @@ std::vector<Metric> StudyCase::more_parameters(const SlidePoint& point) const {
 std::vector<std::string> StudyCase::tables() const {
   std::vector<std::string> tables = SlideCase::tables();
   for (const std::string& name : slide_names()) tables.push_back(name + "_coarse");
-  tables.insert(tables.end(), {"runs", "sweep", "legend", "study"});
+  tables.insert(tables.end(), {"slides", "sweep", "legend", "study"});
   return tables;
 }
 

@@ -70,7 +70,7 @@ std::string note_of(const StudyFigure& study, const Ensembles& slides) {
 }  // namespace
 
 void write_study_tables(const OutputFolder& output, const StudyFigure& study, const Ensembles& slides) {
-  write_atomically(output.file("runs.dat"), runs_table(study, slides));
+  write_atomically(output.file("slides.dat"), runs_table(study, slides));
   write_table(output.file("sweep.dat"), {{{"case", study.case_name}}, sweep_table(study, slides)});
   Legend legend;
   for (const StudyRun& run : study.runs)

@@ -20,7 +20,7 @@ struct StudyFigure {
 };
 
 /// Writes the tables of those runs that have results:
-///   runs.dat    one row per run: slide, scheme, the value in the unit of the sweep, number of samples
+///   slides.dat  one row per run: slide, scheme, the value in the unit of the sweep, number of samples
 ///   sweep.dat   v_max, peak of tau and runout of each scheme over the swept value (see sweep_series); without rows
 ///               if there is no sweep
 ///   legend.txt  label of each run; "x axis": label of the swept key; "note": engine, grains and samples; "x texts" if

@@ -53,7 +53,7 @@ mkdir "$room/full"
 tar --extract --xz --file="$tables" -C "$room/full"
 cp -r "$room/full" "$room/empty"
 for table in "$room"/empty/*/*.dat; do
-  [[ $table == */runs.dat ]] || sed -i '1p; 2,${/^#/!d}; 1d' "$table"
+  [[ $table =~ /(runs|slides)\.dat$ ]] || sed -i '1p; 2,${/^#/!d}; 1d' "$table"
 done
 cp -r "$source_dir/plots" "$room/scripts"
 sed -i 's/"png pdf"/"png"/' "$room"/scripts/*.gp
@@ -72,7 +72,7 @@ ink() {
   printf 'set table "%s"; plot "%s" binary filetype=png with rgbimage\n' "$room/pixels" "$1" | gnuplot 2>/dev/null
   # A line of the second file is "x y red green blue ...", from the top row down; y counts from the bottom.
   awk '
-    NR == FNR { ++panels; left[panels] = $2; right[panels] = $3; bottom[panels] = $4; top[panels] = $5; next }
+    FILENAME == ARGV[1] { ++panels; left[panels] = $2; right[panels] = $3; bottom[panels] = $4; top[panels] = $5; next }
     /^# Curve [0-9]/ { points = $6 }
     /^#/ || NF < 5 { next }
     height == 0 { height = $2 + 1; width = points / height }

@@ -64,7 +64,7 @@ TEST_F(StudyProgram, RunsEachValueByEachScheme) {
   EXPECT_EQ(sweep.column("RD_peak_shear_stress_median").values.back(),
             metric_of(result("RD_4deg"), "peak_shear_stress"));
   EXPECT_LT(sweep.column("RI_peak_shear_stress_median").values.front(), 1e5);
-  EXPECT_CONTAINS(content_of(output() / "runs.dat"), "RI_4deg RI 4 1\n");
+  EXPECT_CONTAINS(content_of(output() / "slides.dat"), "RI_4deg RI 4 1\n");
   EXPECT_CONTAINS(content_of(output() / "legend.txt"), "x axis\tangle (deg)\n");
   EXPECT_FALSE(fs::exists(output() / "changes.txt"));  // there are no settings of the paper to differ from
 }
