@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "dem/make_engine.hpp"
 #include "jam.hpp"
 #include "record/gnuplot_table.hpp"
 
@@ -39,7 +40,7 @@ std::unique_ptr<Case> make_case() { return std::make_unique<OpenChoicesCase>(); 
 
 OpenChoicesCase::OpenChoicesCase()
     : SlideCase({"open_choices", "What the paper leaves unsaid: which samples jam, at which rate", FLOWSLIDE_VERSION,
-                 {"open_choices"}, {}}) {}
+                 {"open_choices"}, engine_names()}) {}
 
 std::vector<Metric> OpenChoicesCase::slide_metrics(const SlideOutcome& outcome) const {
   if (!outcome.point.test) return {};

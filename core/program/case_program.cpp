@@ -247,6 +247,7 @@ class CaseProgram {
     std::vector<Provenance> origins;
     origins.reserve(present.size());
     for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);
+    write_atomically(output.file("cost.json"), cost_json(cost_of(origins)));
     std::vector<Claim> claims = claims_at(claims_.claims, options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     std::vector<Verdict> verdicts = evaluate(claims, metrics);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "process/progress.hpp"
 
@@ -29,6 +30,14 @@ std::string cost_text(const Cost& cost) {
                      unrecorded > 0
                          ? fmt::format("; without {} of {} points, which did not record it", unrecorded, cost.points)
                          : "");
+}
+
+std::string cost_json(const Cost& cost) {
+  const nlohmann::ordered_json object{{"points", cost.points},
+                                      {"recorded", cost.recorded},
+                                      {"predicted_seconds", cost.predicted_seconds},
+                                      {"processor_seconds", cost.processor_seconds}};
+  return object.dump() + "\n";
 }
 
 }  // namespace flowslide

@@ -21,4 +21,7 @@ Cost cost_of(std::span<const Provenance> points);
 /// One line: "cost: 1 h 02 min of processor time, 58 min predicted".
 std::string cost_text(const Cost& cost);
 
+/// {"points": ..., "recorded": ..., "predicted_seconds": ..., "processor_seconds": ...}
+std::string cost_json(const Cost& cost);
+
 }  // namespace flowslide

@@ -76,6 +76,12 @@ expect 2 "jobs is '0'; allowed" --jobs 0
 expect 2 "needs a value" fig03 --output
 expect 0 'fig03 *22 s' --list --jobs 1
 [[ ! -e $room/calls ]] || { echo "--list called: $(cat "$room/calls")"; failures=$((failures + 1)); }
+mkdir -p "$tree/results/fig03_undrained/other" "$tree/results/fig03_undrained/empty"
+echo '{"points": 2, "recorded": 2, "predicted_seconds": 10.0, "processor_seconds": 15.0}' >"$tree/results/fig03_undrained/other/cost.json"
+echo '{"points": 1, "recorded": 0, "predicted_seconds": 0.0, "processor_seconds": 0.0}' >"$tree/results/fig03_undrained/empty/cost.json"
+expect 0 'as fast as the results here' --list --jobs 1
+expect 0 'fig03 *33 s' --list --jobs 1   # 1.5 times 21.5 s, which is rounded to 22
+rm -r "$tree/results"
 mv "$program" "$program.away"
 expect 1 'fig03_undrained was not built; ./reproduce --build builds it' --list
 [[ ! -e $room/calls ]] || { echo "--list called: $(cat "$room/calls")"; failures=$((failures + 1)); }
