@@ -56,7 +56,10 @@ for table in "$room"/empty/*/*.dat; do
   [[ $table =~ /(runs|slides)\.dat$ ]] || sed -i '1p; 2,${/^#/!d}; 1d' "$table"
 done
 cp -r "$source_dir/plots" "$room/scripts"
+# PNG alone, and at half the size, so that a quarter of the pixels is counted.
 sed -i 's/"png pdf"/"png"/' "$room"/scripts/*.gp
+sed -i -e 's/fontscale 2.0 linewidth 2 /fontscale 1.0 linewidth 1 /' -e 's/80 \* width, 80 \* height/40 * width, 40 * height/' \
+  "$room/scripts/style.gp"
 # Each script prints the place of a panel (pixels, from the bottom left) after it has drawn it. An inset is a panel, too.
 for script in "$room"/scripts/*.gp; do
   awk '{ print } /^ *plot / { drawing = 1 }
@@ -67,7 +70,7 @@ for script in "$room"/scripts/*.gp; do
 done
 
 # ink PICTURE PANELS: counts pixels that are not white. Prints "border N", "corner N" and one line "panel N" for each line
-# of PANELS. Border: the outermost two pixels; corner: the upper left one; panel: without its frame.
+# of PANELS. Border: the outermost pixel; corner: the upper left one; panel: without its frame.
 ink() {
   printf 'set table "%s"; plot "%s" binary filetype=png with rgbimage\n' "$room/pixels" "$1" | gnuplot 2>/dev/null
   # A line of the second file is "x y red green blue ...", from the top row down; y counts from the bottom.
@@ -77,10 +80,10 @@ ink() {
     /^#/ || NF < 5 { next }
     height == 0 { height = $2 + 1; width = points / height }
     $3 + $4 + $5 > 735 { next }   # nearly white
-    $1 < 2 || $2 < 2 || $1 > width - 3 || $2 > height - 3 { ++border }
-    $1 < 0.35 * width && $2 > height - 40 { ++corner }
+    $1 < 1 || $2 < 1 || $1 > width - 2 || $2 > height - 2 { ++border }
+    $1 < 0.35 * width && $2 > height - 20 { ++corner }
     { for (i = 1; i <= panels; ++i)
-        if ($1 > left[i] + 3 && $1 < right[i] - 3 && $2 > bottom[i] + 3 && $2 < top[i] - 3) ++inside[i] }
+        if ($1 > left[i] + 2 && $1 < right[i] - 2 && $2 > bottom[i] + 2 && $2 < top[i] - 2) ++inside[i] }
     END { print "border", border + 0; print "corner", corner + 0
           for (i = 1; i <= panels; ++i) print "panel", inside[i] + 0 }' "$2" "$room/pixels"
 }
@@ -99,8 +102,8 @@ faults() {
   empty=$(drawn "$1" "$2" empty 2>/dev/null) || empty=''   # Fig. 2 cannot be drawn without a grain
   paste -d ' ' <(printf '%s\n' "$full") <(printf '%s\n' "$empty") | awk '
     $1 == "border" && $2 > 0 { print $2 " pixels at the border: a text or a line leaves the picture" }
-    $1 == "corner" && $2 < 200 { print "no text in the upper left corner" }
-    $1 == "panel" { ++panels; if ($2 - $4 < 60) print "panel " panels " is empty" }
+    $1 == "corner" && $2 < 60 { print "no text in the upper left corner" }
+    $1 == "panel" { ++panels; if ($2 - $4 < 15) print "panel " panels " is empty" }
     END { if (panels == 0) print "no panel" }'
 }
 
