@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact_metrics.hpp"
 #include "dem/make_engine.hpp"
 #include "jam.hpp"
 #include "record/gnuplot_table.hpp"
@@ -53,6 +54,10 @@ std::vector<Metric> OpenChoicesCase::slide_metrics(const SlideOutcome& outcome) 
                      "1: the material resists torsion"});
   metrics.push_back({"peak_shear_stress", outcome.measures.peak_to_5.stress, "Pa",
                      "largest shear stress up to 5 % strain"});
+  if (outcome.grains == nullptr) return metrics;
+  for (const Metric& metric : contact_metrics(outcome.grains->assembly(), recipe.material,
+                                              outcome.point.settings.passing.time_step))
+    metrics.push_back(metric);
   return metrics;
 }
 
