@@ -44,9 +44,10 @@ awk '/^```/ { inside = !inside; next } inside && /^\[sample.mine\]/ { mine = 1 }
   sed 's|"[^"]*load.txt"|"'"$room"'/load.txt"|' >"$room/mine.toml"
 printf '0 0\n1 500\n' >"$room/load.txt"
 cp examples/slope_angle.toml "$room/study.toml"   # that of docs/own-study.md
+printf '[loading]\namplitude = "2 kPa"\n' >"$room/other.toml"   # the same page, for a figure of the paper
 
 # What stands for a value of the reader's own in a command.
-with_values() { sed -E -e "/own-study/s|--config mine.toml|--config '$room/study.toml'|" -e "s|--config mine.toml|--config '$room/mine.toml'|" -e 's/ --beside [^ ]+//' -e 's/=E0\b/=0.78/' -e 's/=MU\b/=0.5/' -e 's/"C kg/"0.1 kg/' -e 's/--seed S\b/--seed 1/'; }
+with_values() { sed -E -e "/own-study/s|--config mine.toml|--config '$room/study.toml'|" -e "s|--config (mine\|other).toml|--config '$room/\1.toml'|" -e 's/ --beside [^ ]+//' -e 's/=E0\b/=0.78/' -e 's/=MU\b/=0.5/' -e 's/"C kg/"0.1 kg/' -e 's/--seed S\b/--seed 1/'; }
 
 # try PAGE CASE COMMAND
 try() {
