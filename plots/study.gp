@@ -77,7 +77,7 @@ do for [format in "png pdf"] {
   set xrange [0:far * (farthest > 0 ? farthest : 1)]; set yrange [0:*]
   set key at screen 0.995, screen 0.45 right top Left reverse title (swept ? (strlen(axis) < 16 ? axis : "") : "scheme") enhanced \
     font ",7" width 0
-  if (count == 0) { set yrange [0:1]; plot NaN notitle } else {
+  if (count == 0 || farthest == 0) { set yrange [0:1]; plot NaN notitle } else {
     plot for [i = 1:count] over(i, "displacement") using (far * column("displacement")): \
            (fast * column("velocity_lowest")):(fast * column("velocity_highest")) \
            with filledcurves linecolor rgb colour[i] notitle, \
@@ -97,7 +97,7 @@ do for [format in "png pdf"] {
   set title panel("C", "excess pore pressure")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [*:*]
-  if (count == 0) { set yrange [0:1]; plot NaN notitle } else {
+  if (count == 0 || farthest == 0) { set yrange [0:1]; plot NaN notitle } else {
     plot for [i = 1:count] coarse(i) using (far * column("displacement")):(kilo * column("pore_pressure_lowest")): \
            (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
          for [i = 1:count] coarse(i) using (far * column("displacement")):(kilo * column("pore_pressure_median")) \
@@ -117,7 +117,7 @@ do for [format in "png pdf"] {
     }
     first_value = first_of("sweep.dat", "as_written") / 10.0**power
     if (words(values) == 1) { set xrange [first_value - 1:first_value + 1] }
-    if (largest(word(schemes, 1), "median") eq "") {
+    if (largest(word(schemes, 1), "median") eq "" || fastest == 0) {
       set xrange [0:1]; set yrange [0:1]
       plot NaN notitle
     } else {
@@ -135,7 +135,7 @@ do for [format in "png pdf"] {
     set xlabel "time {/:Italic t} (s)"
     set ylabel sprintf("sliding velocity {/:Italic v} (%s)", fast_unit) offset 1
     set yrange [*:*]
-    if (count == 0) { set xrange [0:1]; set yrange [0:1]; plot NaN notitle } else {
+    if (count == 0 || farthest == 0) { set xrange [0:1]; set yrange [0:1]; plot NaN notitle } else {
       plot for [i = 1:count] over(i, "time") using (column("time")):(fast * column("velocity_lowest")): \
              (fast * column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
            for [i = 1:count] over(i, "time") using (column("time")):(fast * column("velocity_median")) \
