@@ -22,7 +22,8 @@ struct ShearTest {
   std::optional<AdaptiveTimeStep> adaptive = {};
   double end_normal_stress = std::numeric_limits<double>::infinity();  ///< Pa; the test ends at the measured row that
                                                                         ///< reaches this sigma
-  /// Number of rows from which metrics are computed. It is fixed, so metrics do not depend on `rows`.
+  /// Number of rows from which metrics are computed. It is fixed, so metrics do not depend on `rows`, but with
+  /// adaptive steps: kept rows then change the steps between measured ones.
   static constexpr int measured_rows = 500;
 
   /// Number of time steps of length `time_step` (s) of the test. Rows stand at such steps, whatever steps lie between

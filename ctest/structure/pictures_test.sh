@@ -3,7 +3,8 @@
 # pictures_test.sh: draws every figure from tables of the quick scale and counts pixels. No panel may be empty, no text or
 # line may touch the border of the picture, and the upper left corner has a text with scale, N and samples. The same
 # counts must find the faults of spoilt pictures.
-# pictures_test.sh --update RESULTS: makes these tables again, from RESULTS/<case>/quick.
+# pictures_test.sh --update RESULTS: makes these tables again, from RESULTS/<case>/quick. They are an example to draw from,
+# and no results: some are older than the code, with columns renamed.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
