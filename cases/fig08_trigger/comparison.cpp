@@ -61,10 +61,6 @@ double earliest_peak(const std::vector<Pair>& pairs) {
   return earliest;
 }
 
-double median(const Ensemble& ensemble, const std::string& metric) {
-  return statistics_of(ensemble, metric).median;
-}
-
 /// Mean velocity of RD / mean velocity of RI over the last tenth of the displacement that both reach.
 double velocity_ratio(const Series& rd, const Series& ri) {
   const double end = std::min(end_of(rd), end_of(ri));
@@ -88,18 +84,17 @@ void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metri
   for (const auto& [a, b] : pairs)
     ratios.push_back(velocity_ratio(windows_over(*a, "displacement"), windows_over(*b, "displacement")));
   metrics["velocity_ratio"] = statistics_of(ratios).median;
-  metrics["inertial_number_ratio"] = median(*ri, "steady_inertial_number") / median(*rd, "steady_inertial_number");
+  metrics["inertial_number_ratio"] = paired_ratio(*ri, *rd, "steady_inertial_number").median;
 }
 
 void compare_steady_states(const Ensembles& slides, std::map<std::string, double>& metrics) {
   const auto [rd, ri] = schemes_of(slides, "hold");
   if (rd == nullptr) return;
   for (const std::string what : {"shear", "normal", "friction"}) {
-    const std::vector<double> of_rd = values_of(*rd, "steady_" + what), of_ri = values_of(*ri, "steady_" + what);
-    if (of_rd.empty() || of_ri.empty()) continue;
-    const Statistics a = statistics_of(of_rd), b = statistics_of(of_ri);
-    metrics[what + "_excess"] = (a.mean - b.mean) / std::hypot(a.standard_error, b.standard_error);
-    metrics[what + "_ratio"] = a.mean / b.mean;
+    const Statistics excess = paired_difference(*rd, *ri, "steady_" + what);
+    if (std::isnan(excess.mean)) continue;
+    metrics[what + "_ratio"] = paired_ratio(*rd, *ri, "steady_" + what).median;
+    if (paired(*rd, *ri).size() > 1) metrics[what + "_excess"] = excess.mean / excess.standard_error;
   }
 }
 

@@ -15,13 +15,13 @@ namespace flowslide {
 ///   velocity_ratio                velocity of RD / velocity of RI, median over the samples. It is taken at the same
 ///                                 displacement, just before the end of the shorter record, because the schemes become
 ///                                 unstable at slightly different times.
-///   inertial_number_ratio         median I beyond 50 % strain at the rate of the slope: RI / RD
+///   inertial_number_ratio         mean I beyond 50 % strain at the rate of the slope: RI / RD, median over the samples
 void compare_ramps(const Ensembles& slides, std::map<std::string, double>& metrics);
 
-/// Compares RD_hold with RI_hold beyond 50 % strain. <what> is shear, normal or friction, for the metrics steady_shear,
-/// steady_normal and steady_friction:
-///   <what>_excess    mean of RD - mean of RI, as a number of standard errors of this difference
-///   <what>_ratio     mean of RD / mean of RI
+/// Compares RD_hold with RI_hold beyond 50 % strain, on the samples that both use. <what> is shear, normal or friction,
+/// for the metrics steady_shear, steady_normal and steady_friction:
+///   <what>_excess    mean over the samples of RD - RI, in standard errors of this mean; from two samples on
+///   <what>_ratio     RD / RI, median over the samples
 void compare_steady_states(const Ensembles& slides, std::map<std::string, double>& metrics);
 
 }  // namespace flowslide

@@ -26,11 +26,14 @@ std::vector<SweepMember> amplitudes_of(const Ensembles& slides, const std::strin
   return sweep_of(slides, scheme + "_", "amplitude");
 }
 
-double median_velocity_near(const Ensemble& ensemble, double place) {
-  std::vector<double> velocities;
-  for (const Result& result : ensemble)
-    velocities.push_back(velocity_near(windows_over(result, "displacement"), place));
-  return statistics_of(velocities).median;
+/// v near the common place with the larger pulse / with the smaller pulse, median over the samples.
+double growth(const Ensemble& smaller, const Ensemble& larger) {
+  const auto velocity = [](const Result& result) {
+    return velocity_near(windows_over(result, "displacement"), common_place);
+  };
+  std::vector<double> ratios;
+  for (const auto& [a, b] : paired(smaller, larger)) ratios.push_back(velocity(*b) / velocity(*a));
+  return statistics_of(ratios).median;
 }
 
 const Ensemble* at_amplitude(const std::vector<SweepMember>& sweep, double amplitude) {
@@ -48,32 +51,33 @@ void add_parting(const Ensemble& rd, const Ensemble& ri, std::map<std::string, d
   metrics["parting_velocity.median"] = all.median;
   metrics["parting_velocity.lowest"] = all.lowest;
   metrics["parting_velocity.highest"] = all.highest;
-  metrics["RD_normal_stress_over_RI"] =
-      statistics_of(rd, "liquefied_normal_stress").median / statistics_of(ri, "liquefied_normal_stress").median;
-  metrics["acceleration_gap"] =
-      statistics_of(ri, "acceleration_share").lowest - statistics_of(rd, "acceleration_share").highest;
+  metrics["RD_normal_stress_over_RI"] = paired_ratio(rd, ri, "liquefied_normal_stress").median;
+  metrics["acceleration_gap"] = paired_difference(ri, rd, "acceleration_share").lowest;
 }
 
 void add_growth(const std::vector<SweepMember>& amplitudes, std::map<std::string, double>& metrics) {
   if (amplitudes.size() < 2) return;
   std::vector<double> growths;
   for (std::size_t i = 1; i < amplitudes.size(); ++i)
-    growths.push_back(median_velocity_near(*amplitudes[i].ensemble, common_place) /
-                      median_velocity_near(*amplitudes[i - 1].ensemble, common_place));
+    growths.push_back(growth(*amplitudes[i - 1].ensemble, *amplitudes[i].ensemble));
   metrics["RI_growth"] = statistics_of(growths).lowest;
 }
 
+double range(const Statistics& all) { return all.highest - all.lowest; }
+
 void add_spread(const std::vector<SweepMember>& amplitudes, std::map<std::string, double>& metrics) {
   if (amplitudes.size() < 2) return;
-  std::vector<double> medians, ranges;
-  for (const auto& [amplitude, ensemble] : amplitudes) {
-    const Statistics all = statistics_of(*ensemble, "largest_velocity");
-    medians.push_back(all.median);
-    ranges.push_back(all.highest - all.lowest);
-  }
-  const Statistics over_amplitudes = statistics_of(medians);
-  metrics["RD_spread_over_amplitudes"] = over_amplitudes.highest - over_amplitudes.lowest;
-  metrics["RD_spread_over_seeds"] = statistics_of(ranges).mean;
+  std::map<const Result*, std::vector<double>> velocities;  // of each sample, by its result at the first amplitude
+  for (const SweepMember& member : amplitudes)
+    for (const auto& [sample, result] : paired(*amplitudes.front().ensemble, *member.ensemble))
+      velocities[sample].push_back(metric_of(*result, "largest_velocity"));
+  std::vector<double> over_amplitudes, over_samples;
+  for (const auto& [sample, largest] : velocities)
+    if (largest.size() == amplitudes.size()) over_amplitudes.push_back(range(statistics_of(largest)));
+  for (const SweepMember& member : amplitudes)
+    over_samples.push_back(range(statistics_of(*member.ensemble, "largest_velocity")));
+  metrics["RD_spread_over_amplitudes"] = statistics_of(over_amplitudes).mean;
+  metrics["RD_spread_over_seeds"] = statistics_of(over_samples).mean;
   metrics["RD_spread_ratio"] = metrics["RD_spread_over_amplitudes"] / metrics["RD_spread_over_seeds"];
 }
 

@@ -10,11 +10,13 @@ namespace flowslide {
 /// Compares slides named "RD_..." and "RI_..." by the amplitude of their pulse. Adds these metrics to `metrics` if the
 /// slides that they need have results:
 ///   parting_velocity.<statistic>  m/s, over the pairs of RD and RI on the same sample at 3 kPa (see parting_velocity)
-///   RD_normal_stress_over_RI      3 kPa: median normal stress after the pulse, RD / RI
-///   acceleration_gap              3 kPa: lowest acceleration_share of RI - highest of RD
-///   RI_growth                     RI: median v at x = 2 m / that of the next smaller amplitude, smallest ratio
-///   RD_spread_over_amplitudes     m/s, RD: highest - lowest of the median largest velocities of the amplitudes
-///   RD_spread_over_seeds          m/s, RD: highest - lowest largest velocity of the replicates, mean over amplitudes
+///   RD_normal_stress_over_RI      3 kPa: normal stress after the pulse, RD / RI, median over the samples
+///   acceleration_gap              3 kPa: acceleration_share of RI - that of RD, lowest of the samples
+///   RI_growth                     RI: v at x = 2 m / that of the next smaller amplitude on the same sample, median
+///                                 over the samples; smallest of these ratios
+///   RD_spread_over_amplitudes     m/s, RD: highest - lowest largest velocity of a sample over the amplitudes, mean
+///                                 over the samples that all amplitudes use
+///   RD_spread_over_seeds          m/s, RD: highest - lowest largest velocity of the samples, mean over amplitudes
 ///   RD_spread_ratio               RD_spread_over_amplitudes / RD_spread_over_seeds
 void compare_schemes(const Ensembles& slides, std::map<std::string, double>& metrics);
 

@@ -11,24 +11,24 @@ namespace {
 constexpr const char* loosest = "790";
 constexpr const char* void_ratios[] = {loosest, "771", "765", "751"};
 
-/// Statistics of a metric of the slides "<scheme>_e0_<name>"; NaN if there are none.
-Statistics statistics(const Ensembles& slides, const std::string& scheme, const std::string& name,
-                      const std::string& metric) {
+/// The slides "<scheme>_e0_<name>"; without results if there are none.
+const Ensemble& ensemble(const Ensembles& slides, const std::string& scheme, const std::string& name) {
+  static const Ensemble none;
   const auto found = slides.find(scheme + "_e0_" + name);
-  if (found == slides.end()) return {};
-  return statistics_of(found->second, metric);
+  return found == slides.end() ? none : found->second;
 }
 
 void add_shares(const Ensembles& slides, const std::string& quantity, const std::string& metric,
                 std::map<std::string, double>& metrics) {
   const auto median = [&](const std::string& scheme, const std::string& name) {
-    return statistics(slides, scheme, name, metric).median;
+    return statistics_of(ensemble(slides, scheme, name), metric).median;
   };
   for (const std::string name : void_ratios) {
     for (const char* scheme : {"RD", "RI"})
       metrics[fmt::format("{}_{}_{}_share", scheme, name, quantity)] =
           median(scheme, name) / median(scheme, loosest);
-    metrics[fmt::format("RD_{}_{}_over_RI", name, quantity)] = median("RD", name) / median("RI", name);
+    metrics[fmt::format("RD_{}_{}_over_RI", name, quantity)] =
+        paired_ratio(ensemble(slides, "RD", name), ensemble(slides, "RI", name), metric).median;
   }
 }
 
@@ -38,9 +38,10 @@ void compare_void_ratios(const Ensembles& slides, std::map<std::string, double>&
   add_shares(slides, "velocity", "largest_velocity", metrics);
   add_shares(slides, "runout", "runout", metrics);
   for (const std::string name : void_ratios) {
-    const Statistics rd = statistics(slides, "RD", name, "runout"), ri = statistics(slides, "RI", name, "runout");
-    metrics[name + "_largest_runout"] = std::fmax(rd.highest, ri.highest);
-    metrics[name + "_runout_difference"] = std::abs(rd.median - ri.median);
+    const Ensemble &rd = ensemble(slides, "RD", name), &ri = ensemble(slides, "RI", name);
+    metrics[name + "_largest_runout"] =
+        std::fmax(statistics_of(rd, "runout").highest, statistics_of(ri, "runout").highest);
+    metrics[name + "_runout_difference"] = std::abs(paired_difference(rd, ri, "runout").median);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace flowslide {
@@ -139,6 +140,27 @@ std::vector<std::pair<double, double>> paired_values(const std::vector<Pair>& pa
   std::vector<std::pair<double, double>> values;
   for (const auto& [first, second] : pairs) values.emplace_back(metric_of(*first, metric), metric_of(*second, metric));
   return values;
+}
+
+namespace {
+
+/// Statistics of `comparison` of both values of a metric, over the pairs in which both results have it.
+template <typename Comparison>
+Statistics compare(const Ensemble& first, const Ensemble& second, const std::string& metric, Comparison comparison) {
+  std::vector<double> values;
+  for (const auto& [a, b] : paired_values(paired(first, second), metric))
+    if (!std::isnan(a) && !std::isnan(b)) values.push_back(comparison(a, b));
+  return statistics_of(values);
+}
+
+}  // namespace
+
+Statistics paired_difference(const Ensemble& first, const Ensemble& second, const std::string& metric) {
+  return compare(first, second, metric, std::minus<>());
+}
+
+Statistics paired_ratio(const Ensemble& first, const Ensemble& second, const std::string& metric) {
+  return compare(first, second, metric, std::divides<>());
 }
 
 std::map<std::string, double> summary_of(const Ensemble& ensemble) {

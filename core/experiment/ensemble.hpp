@@ -53,6 +53,12 @@ std::vector<Pair> paired(const Ensemble& first, const Ensemble& second);
 /// The values of a metric in both results of each pair; NaN for a result without this metric.
 std::vector<std::pair<double, double>> paired_values(const std::vector<Pair>& pairs, const std::string& metric);
 
+/// Statistics of first - second, or of first / second, of a metric over the pairs in which both results have it. Two
+/// runs on the same samples are compared in this way: what a sample adds to both runs cancels, so that the scatter
+/// between samples does not hide a difference between the runs. The standard error is that of the mean over the pairs.
+Statistics paired_difference(const Ensemble& first, const Ensemble& second, const std::string& metric);
+Statistics paired_ratio(const Ensemble& first, const Ensemble& second, const std::string& metric);
+
 /// Statistics of each metric that all replicates have. Names: "<metric>.median", ".mean", ".lowest", ".highest",
 /// ".deviation" and ".standard_error".
 std::map<std::string, double> summary_of(const Ensemble& ensemble);

@@ -65,6 +65,18 @@ TEST(Ensemble, PairsResultsOnOneSampleWhateverTheirOrder) {
   EXPECT_EQ(values, (std::vector<std::pair<double, double>>{{1.0, 10.0}}));
 }
 
+TEST(Ensemble, ComparesRunsSampleBySample) {
+  Result without = on_sample(2, "loose c");
+  without.metrics.clear();
+  const Ensemble rd{on_sample(0, "loose a", 11.0), on_sample(1, "loose b", 600.0), on_sample(3, "loose d", 9e9)};
+  const Ensemble ri{on_sample(1, "loose b", 300.0), on_sample(0, "loose a", 10.0), without};
+  const Statistics difference = paired_difference(rd, ri, "peak"), ratio = paired_ratio(rd, ri, "peak");
+  EXPECT_NEAR(difference.mean, 150.5, rounding);
+  EXPECT_NEAR(difference.standard_error, 149.5, rounding);  // half the difference of the two differences
+  EXPECT_NEAR(ratio.median, 1.55, rounding);
+  EXPECT_TRUE(std::isnan(paired_difference(rd, {without}, "peak").mean));
+}
+
 TEST(Ensemble, PairsNoTwoSamplesOfOneTable) {
   EXPECT_TRUE(paired({on_sample(0, "loose a")}, {on_sample(0, "loose b")}).empty());
   // Samples of two tables have seeds of one number.

@@ -31,8 +31,9 @@ Result slide(double shear, double normal, double velocity = 1.0, int replicate =
   return result;
 }
 
-Result steady(double shear, double friction) {
+Result steady(double shear, double friction, int replicate = 0) {
   Result result;
+  result.provenance.replicate = replicate;
   result.metrics = {{"steady_shear", shear, "Pa", ""}, {"steady_friction", friction, "1", ""}};
   return result;
 }
@@ -66,14 +67,22 @@ TEST(Comparison, ComparesTheSamplesThatBothHave) {
   EXPECT_TRUE(metrics.empty());  // one pair has no spread
 }
 
-TEST(Comparison, CountsTheExcessInStandardErrors) {
+TEST(Comparison, CountsTheExcessOnTheSameSamplesInStandardErrors) {
+  // tau of the samples differs by 900 Pa, and RD - RI is 80 and 120 Pa: mean 100, standard error 20.
   std::map<std::string, double> metrics;
-  compare_steady_states({{"RD_hold", {steady(100.0, 0.5), steady(140.0, 0.5)}},
-                         {"RI_hold", {steady(30.0, 0.4), steady(30.0, 0.4)}}}, metrics);
-  EXPECT_NEAR(metrics.at("shear_excess"), (120.0 - 30.0) / 20.0, 1e-9);
-  EXPECT_NEAR(metrics.at("shear_ratio"), 4.0, 1e-9);
+  compare_steady_states({{"RD_hold", {steady(110.0, 0.5, 0), steady(1050.0, 0.5, 1), steady(9e9, 0.9, 2)}},
+                         {"RI_hold", {steady(930.0, 0.4, 1), steady(30.0, 0.4, 0)}}}, metrics);
+  EXPECT_NEAR(metrics.at("shear_excess"), 100.0 / 20.0, 1e-9);
+  EXPECT_NEAR(metrics.at("shear_ratio"), 0.5 * (110.0 / 30.0 + 1050.0 / 930.0), 1e-9);
   EXPECT_NEAR(metrics.at("friction_ratio"), 1.25, 1e-9);
   EXPECT_FALSE(metrics.contains("normal_excess"));
+}
+
+TEST(Comparison, HasNoStandardErrorOfOneSample) {
+  std::map<std::string, double> metrics;
+  compare_steady_states({{"RD_hold", {steady(100.0, 0.5)}}, {"RI_hold", {steady(50.0, 0.4)}}}, metrics);
+  EXPECT_NEAR(metrics.at("shear_ratio"), 2.0, 1e-9);
+  EXPECT_FALSE(metrics.contains("shear_excess"));
 }
 
 TEST(Comparison, SaysNothingOfWhatWasNotRun) {

@@ -50,18 +50,32 @@ TEST(Comparison, TakesPairsOnOneSample) {
   EXPECT_FALSE(metrics.contains("RI_growth"));
 }
 
-TEST(Comparison, ComparesAmplitudes) {
+TEST(Comparison, HoldsTheSchemesAgainstEachOtherSampleBySample) {
+  // The ranges of RD and RI over the samples overlap, but RI exceeds RD on each of them.
+  const auto with = [](Result result, double share, double normal) {
+    result.metrics = {{"acceleration_share", share, "1", ""}, {"liquefied_normal_stress", normal, "Pa", ""}};
+    return result;
+  };
   std::map<std::string, double> metrics;
-  compare_schemes({{"RI_3kPa", {slide(1.0, 9.0)}},
-                   {"RI_mine", {slide(1.44, 9.0, 0, 4.0)}},  // the amplitude comes from the parameter, not the name
-                   {"RI_10kPa", {slide(4.0, 9.0, 0, 10.0)}},
-                   {"RD_3kPa", {slide(1.0, 1.5), slide(1.0, 1.6), slide(1.0, 1.9)}},
-                   {"RD_4kPa", {slide(1.0, 1.5, 0, 4.0), slide(1.0, 1.8, 0, 4.0), slide(1.0, 2.1, 0, 4.0)}}},
+  compare_schemes({{"RD_3kPa", {with(slide(1.0, 1.8, 0), 0.2, 300.0), with(slide(1.0, 1.8, 1), 0.9, 80.0)}},
+                   {"RI_3kPa", {with(slide(1.0, 9.0, 1), 1.0, 20.0), with(slide(1.0, 9.0, 0), 0.5, 150.0)}}},
+                  metrics);
+  EXPECT_NEAR(metrics.at("acceleration_gap"), 0.1, 1e-12);
+  EXPECT_NEAR(metrics.at("RD_normal_stress_over_RI"), 3.0, 1e-12);
+}
+
+TEST(Comparison, ComparesAmplitudesOnTheSameSamples) {
+  std::map<std::string, double> metrics;
+  compare_schemes({{"RI_3kPa", {slide(1.0, 9.0, 1)}},
+                   {"RI_mine", {slide(1.44, 9.0, 1, 4.0), slide(9.0, 9.0, 0, 4.0)}},  // parameter, not name
+                   {"RI_10kPa", {slide(4.0, 9.0, 1, 10.0)}},
+                   {"RD_3kPa", {slide(1.0, 1.5, 0), slide(1.0, 1.6, 1), slide(1.0, 1.9, 2)}},
+                   {"RD_4kPa", {slide(1.0, 1.6, 0, 4.0), slide(1.0, 1.9, 1, 4.0), slide(1.0, 2.1, 3, 4.0)}}},
                   metrics);
   EXPECT_NEAR(metrics.at("RI_growth"), 1.2, 1e-9);  // sqrt(1.44), the smaller of the two steps
-  EXPECT_NEAR(metrics.at("RD_spread_over_amplitudes"), 0.2, 1e-9);
-  EXPECT_NEAR(metrics.at("RD_spread_over_seeds"), 0.5, 1e-9);
-  EXPECT_NEAR(metrics.at("RD_spread_ratio"), 0.4, 1e-9);
+  EXPECT_NEAR(metrics.at("RD_spread_over_amplitudes"), 0.2, 1e-9);  // of samples 0 and 1: 0.1 and 0.3 m/s
+  EXPECT_NEAR(metrics.at("RD_spread_over_seeds"), 0.45, 1e-9);
+  EXPECT_NEAR(metrics.at("RD_spread_ratio"), 0.2 / 0.45, 1e-9);
 }
 
 TEST(Comparison, SaysNothingOfWhatWasNotRun) {
