@@ -31,19 +31,21 @@ double unevenness(const std::vector<double>& values, std::size_t from, std::size
 std::vector<Metric> profile_metrics(const Series& profiles) {
   std::vector<Metric> metrics;
   const std::size_t layers = profiles.rows();
-  for (std::size_t i = 1; i <= profiles.columns.size() / 3 && layers > 2 * near_a_plane; ++i) {
-    const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i); };
-    const std::vector<double>& shear = profiles.column(name("shear_stress")).values;
-    const std::vector<double>& normal = profiles.column(name("normal_stress")).values;
-    metrics.push_back({name("linearity"), linearity(profiles, name("velocity")), "1",
-                       "R^2 of a straight line through the velocity profile"});
-    metrics.push_back({name("shear_top"), mean(shear, layers - 1 - near_a_plane, layers - 1), "1",
-                       "shear stress of upper sublayers over that of the sample"});
-    metrics.push_back({name("shear_bottom"), mean(shear, 1, 1 + near_a_plane), "1",
-                       "shear stress of lower sublayers over that of the sample"});
-    metrics.push_back({name("normal_unevenness"), unevenness(normal, 1, layers - 1), "1",
-                       "largest difference of a sublayer's normal stress from their mean, over the mean"});
-  }
+  if (layers <= 2 * near_a_plane) return metrics;
+  for (const std::string of : {"", "snapshot_", "mean_"})
+    for (std::size_t i = 1; profiles.has(fmt::format("{}velocity_{}", of, i)); ++i) {
+      const auto name = [&](const char* what) { return fmt::format("{}{}_{}", of, what, i); };
+      const std::vector<double>& shear = profiles.column(name("shear_stress")).values;
+      const std::vector<double>& normal = profiles.column(name("normal_stress")).values;
+      metrics.push_back({name("linearity"), linearity(profiles, name("velocity")), "1",
+                         "R^2 of a straight line through the velocity profile"});
+      metrics.push_back({name("shear_top"), mean(shear, layers - 1 - near_a_plane, layers - 1), "1",
+                         "shear stress of upper sublayers over that of the sample"});
+      metrics.push_back({name("shear_bottom"), mean(shear, 1, 1 + near_a_plane), "1",
+                         "shear stress of lower sublayers over that of the sample"});
+      metrics.push_back({name("normal_unevenness"), unevenness(normal, 1, layers - 1), "1",
+                         "largest difference of a sublayer's normal stress from their mean, over the mean"});
+    }
   return metrics;
 }
 

@@ -11,6 +11,7 @@ namespace flowslide {
 ///   shear_top_<i>          mean <tau>/tau of the three sublayers below the highest one
 ///   shear_bottom_<i>       mean <tau>/tau of the three sublayers above the lowest one
 ///   normal_unevenness_<i>  largest difference of <sigma>/sigma from its mean over the height, divided by this mean
+/// The same with the prefix "snapshot_" or "mean_" of the other columns of a profile with several snapshots.
 /// The highest and the lowest sublayer are left out of the stresses, because they overlap with the glued layers.
 std::vector<Metric> profile_metrics(const Series& profiles);
 

@@ -33,9 +33,40 @@ void add(std::vector<double>& sums, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) sums[i] += values[i];
 }
 
+void add(ProfileValues& sum, const ProfileValues& snapshot) {
+  add(sum.velocity, snapshot.velocity);
+  add(sum.shear, snapshot.shear);
+  add(sum.normal, snapshot.normal);
+  sum.top_velocity += snapshot.top_velocity;
+  sum.sample_shear += snapshot.sample_shear;
+  sum.sample_normal += snapshot.sample_normal;
+}
+
 std::vector<double> over(std::vector<double> values, double divisor) {
   for (double& value : values) value /= divisor;
   return values;
+}
+
+bool has_sublayers(const ProfileValues& values, int sublayers) {
+  const auto count = static_cast<std::size_t>(sublayers);
+  return values.velocity.size() == count && values.shear.size() == count && values.normal.size() == count;
+}
+
+/// Whether the sample moves and bears stress, so that the ratios of a profile exist.
+bool has_ratios(const ProfileValues& values) {
+  return values.top_velocity != 0.0 && values.sample_shear != 0.0 && values.sample_normal != 0.0;
+}
+
+/// Appends the three columns of a profile. `prefix` and `number` are those of their names.
+void add_columns(Series& series, const char* prefix, std::size_t number, const std::string& at,
+                 const ProfileValues& values) {
+  const auto name = [&](const char* what) { return fmt::format("{}{}_{}", prefix, what, number); };
+  series.columns.push_back({name("velocity"), "<v_x>/v_top", "1", "velocity over that of the top layer" + at,
+                            "positive downslope", over(values.velocity, values.top_velocity)});
+  series.columns.push_back({name("shear_stress"), "<tau>/tau", "1", "shear stress over that of the sample" + at, "",
+                            over(values.shear, values.sample_shear)});
+  series.columns.push_back({name("normal_stress"), "<sigma>/sigma", "1", "normal stress over that of the sample" + at,
+                            "", over(values.normal, values.sample_normal)});
 }
 
 }  // namespace
@@ -64,12 +95,10 @@ void ProfileRecord::take(double strain, const DemSample& sample) {
       throw NumericalFailure(fmt::format("profiles at a shear strain of {}: {}", strain, empty.what()));
     }
   }();
-  add(sums.velocity, now.velocity);
-  add(sums.shear, now.shear_stress);
-  add(sums.normal, now.normal_stress);
-  sums.top_velocity += top_velocity(assembly);
-  sums.sample_shear += sample.stress().shear;
-  sums.sample_normal += sample.stress().normal;
+  const ProfileValues snapshot{now.velocity,          now.shear_stress,      now.normal_stress,
+                               top_velocity(assembly), sample.stress().shear, sample.stress().normal};
+  if (sums.snapshots == 0) sums.first = snapshot;
+  add(sums.sum, snapshot);
   ++sums.snapshots;
   next_strain_ = next_strain();
 }
@@ -78,8 +107,7 @@ void ProfileRecord::restore(std::vector<ProfileSums> sums) {
   bool fits = sums.size() <= plan_.strains.size();
   for (std::size_t i = 0; i < sums.size() && fits; ++i) {
     const bool last = i + 1 == sums.size();
-    fits = sums[i].velocity.size() == static_cast<std::size_t>(plan_.sublayers) &&
-           sums[i].shear.size() == sums[i].velocity.size() && sums[i].normal.size() == sums[i].velocity.size() &&
+    fits = has_sublayers(sums[i].sum, plan_.sublayers) && has_sublayers(sums[i].first, plan_.sublayers) &&
            sums[i].snapshots >= 1 && sums[i].snapshots <= plan_.snapshots &&
            (last || sums[i].snapshots == plan_.snapshots);
   }
@@ -93,17 +121,15 @@ Series ProfileRecord::series() const {
   series.axis = {"relative_height", "z/H", "1", "height over that of the sample", "from the bottom up", {}};
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
   for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
-    const ProfileSums& sums = sums_[i];
-    // The ratios do not exist. The loop ends here, because the columns of later profiles are numbered by position.
-    if (sums.top_velocity == 0.0 || sums.sample_shear == 0.0 || sums.sample_normal == 0.0) break;
-    const auto name = [&](const char* what) { return fmt::format("{}_{}", what, i + 1); };
+    const auto& [first, sum, snapshots] = sums_[i];
+    // The loop ends here, because the columns of later profiles are numbered by position.
+    if (!has_ratios(sum) || !has_ratios(first)) break;
     const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
-    series.columns.push_back({name("velocity"), "<v_x>/v_top", "1", "velocity over that of the top layer" + at,
-                              "positive downslope", over(sums.velocity, sums.top_velocity)});
-    series.columns.push_back({name("shear_stress"), "<tau>/tau", "1", "shear stress over that of the sample" + at, "",
-                              over(sums.shear, sums.sample_shear)});
-    series.columns.push_back({name("normal_stress"), "<sigma>/sigma", "1", "normal stress over that of the sample" + at,
-                              "", over(sums.normal, sums.sample_normal)});
+    const bool reads_mean = plan_.read == ProfileReading::mean;
+    add_columns(series, "", i + 1, at, reads_mean ? sum : first);
+    if (snapshots == 1) continue;
+    if (reads_mean) add_columns(series, "snapshot_", i + 1, at + ", first snapshot", first);
+    else add_columns(series, "mean_", i + 1, at + ", mean of the snapshots", sum);
   }
   return series;
 }

@@ -3,10 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "grains/choice.hpp"
 #include "record/series.hpp"
 #include "sample/dem_sample.hpp"
 
 namespace flowslide {
+
+/// What claims and figures read of several snapshots: their mean, or the first of them, as the paper does.
+enum class ProfileReading { mean, first_snapshot };
+
+template <>
+struct ChoiceNames<ProfileReading> {
+  static constexpr const char* what = "reading of a profile";
+  static constexpr std::array names{"mean", "first snapshot"};
+};
 
 /// When profiles over the height of a sample are taken (Fig. 10). A profile is a mean over several snapshots, because a
 /// sublayer has few grains and one snapshot is noisy.
@@ -15,20 +25,31 @@ struct ProfilePlan {
   int snapshots = 1;             ///< snapshots per profile, >= 1
   double window = 0.0;           ///< the snapshots are spread over the strain `window` times the first strain
   std::vector<double> strains;   ///< shear strain of the first snapshot of each profile, increasing; empty: no profile
+  ProfileReading read = ProfileReading::mean;
 };
 
-/// Sums over the snapshots of one profile so far. Vectors of shape (sublayers), from the bottom up.
-struct ProfileSums {
+/// One snapshot of the sublayers and of the sample, or a sum of snapshots. Vectors of shape (sublayers), from the bottom
+/// up.
+struct ProfileValues {
   std::vector<double> velocity, shear, normal;  ///< m/s, Pa, Pa
   double top_velocity = 0.0, sample_shear = 0.0, sample_normal = 0.0;
+
+  bool operator==(const ProfileValues&) const = default;
+};
+
+/// The snapshots of one profile so far.
+struct ProfileSums {
+  ProfileValues first, sum;  ///< the first snapshot, and the sum of all
   int snapshots = 0;
 };
 
 /// Profiles of one slide over the relative height z/H, from 0 at the bottom to 1 at the top. The columns of `series`
-/// for the i-th strain (from 1) are ratios of sums over the snapshots:
+/// for the i-th strain (from 1) are ratios of sums over the snapshots that are read:
 ///   velocity_<i>       <v_x> of the sublayer / velocity of the top layer
 ///   shear_stress_<i>   <tau> of the sublayer / tau of the sample
 ///   normal_stress_<i>  <sigma> of the sublayer / sigma of the sample
+/// If a profile has several snapshots, the same columns of what is not read follow, with the prefix "snapshot_" (the
+/// first snapshot) or "mean_" (the mean of all).
 class ProfileRecord {
  public:
   explicit ProfileRecord(ProfilePlan plan);

@@ -8,7 +8,7 @@
 namespace flowslide {
 
 /// Reads the strains at which profiles are taken from the list `strains_key`; without this key there are no profiles.
-/// With it, reads sublayers, snapshots and window from [profiles]. Throws ConfigurationError, also if the strains do
+/// With it, reads sublayers, snapshots, window and read from [profiles]. Throws ConfigurationError, also if the strains do
 /// not increase.
 ProfilePlan read_profile_plan(const Configuration& configuration, const std::string& strains_key);
 

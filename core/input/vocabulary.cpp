@@ -23,7 +23,7 @@ const std::vector<KeysOfRuns>& vocabulary() {
       {{"stop", "point.*.stop"}, {"end_time", "end_shear_strain", "end_velocity", "sliding_velocity"}, slides},
       {{"rows", "point.*.rows"}, {"most_rows", "row_interval", "row_strain"}, slides},
       {{"point.*"}, {"scheme", "hydraulic_conductivity", "profile_strains"}, slides},
-      {{"profiles"}, {"sublayers", "snapshots", "window"}, "slides with profile_strains"},
+      {{"profiles"}, {"sublayers", "snapshots", "window", "read"}, "slides with profile_strains"},
       {{"shear_test", "point.*"}, {"shear_rate", "inertial_number"}, shear_tests},
       {{"shear_test"}, {"rows", "end_normal_stress"}, shear_tests},
       {{"elastic"}, {"shear_modulus", "oedometric_modulus", "viscosity", "void_ratio"}, "slides with --engine elastic"},

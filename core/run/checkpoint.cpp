@@ -50,18 +50,34 @@ struct WriteNumber {
   void operator()(const char* name, std::int64_t value) const { group.set_attribute(name, value); }
 };
 
+void write_values(hdf5::Group& group, const ProfileValues& values) {
+  group.write<double>("velocity", values.velocity, {values.velocity.size()});
+  group.write<double>("shear_stress", values.shear, {values.shear.size()});
+  group.write<double>("normal_stress", values.normal, {values.normal.size()});
+  group.set_attribute("top_velocity", values.top_velocity);
+  group.set_attribute("sample_shear_stress", values.sample_shear);
+  group.set_attribute("sample_normal_stress", values.sample_normal);
+}
+
+ProfileValues read_values(const hdf5::Group& group) {
+  ProfileValues values;
+  values.velocity = group.read<double>("velocity", {hdf5::Group::any});
+  values.shear = group.read<double>("shear_stress", {values.velocity.size()});
+  values.normal = group.read<double>("normal_stress", {values.velocity.size()});
+  values.top_velocity = group.number_attribute("top_velocity");
+  values.sample_shear = group.number_attribute("sample_shear_stress");
+  values.sample_normal = group.number_attribute("sample_normal_stress");
+  return values;
+}
+
 void write_profiles(hdf5::Group& parent, const std::vector<ProfileSums>& profiles) {
   auto group = parent.create_group("profiles");
   for (std::size_t i = 0; i < profiles.size(); ++i) {
-    const ProfileSums& sums = profiles[i];
     auto one = group.create_group(fmt::format("{}", i));
-    one.write<double>("velocity", sums.velocity, {sums.velocity.size()});
-    one.write<double>("shear_stress", sums.shear, {sums.shear.size()});
-    one.write<double>("normal_stress", sums.normal, {sums.normal.size()});
-    one.set_attribute("top_velocity", sums.top_velocity);
-    one.set_attribute("sample_shear_stress", sums.sample_shear);
-    one.set_attribute("sample_normal_stress", sums.sample_normal);
-    one.set_attribute("snapshots", sums.snapshots);
+    auto first = one.create_group("first"), sum = one.create_group("sum");
+    write_values(first, profiles[i].first);
+    write_values(sum, profiles[i].sum);
+    one.set_attribute("snapshots", profiles[i].snapshots);
   }
 }
 
@@ -70,18 +86,10 @@ std::vector<ProfileSums> read_profiles(const hdf5::Group& parent) {
   std::vector<ProfileSums> profiles;
   for (std::size_t i = 0; i < group.names().size(); ++i) {
     const auto one = group.group(fmt::format("{}", i));
-    ProfileSums sums;
-    sums.velocity = one.read<double>("velocity", {hdf5::Group::any});
-    sums.shear = one.read<double>("shear_stress", {sums.velocity.size()});
-    sums.normal = one.read<double>("normal_stress", {sums.velocity.size()});
-    sums.top_velocity = one.number_attribute("top_velocity");
-    sums.sample_shear = one.number_attribute("sample_shear_stress");
-    sums.sample_normal = one.number_attribute("sample_normal_stress");
     const std::int64_t snapshots = one.integer_attribute("snapshots");
     if (snapshots < 0 || snapshots > std::numeric_limits<int>::max())
       throw CorruptFileError(fmt::format("{}: {} snapshots", one.label(), snapshots));
-    sums.snapshots = static_cast<int>(snapshots);
-    profiles.push_back(std::move(sums));
+    profiles.push_back({read_values(one.group("first")), read_values(one.group("sum")), static_cast<int>(snapshots)});
   }
   return profiles;
 }

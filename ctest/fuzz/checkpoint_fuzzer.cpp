@@ -60,6 +60,11 @@ Assembly assembly_of(Input& input) {
   return assembly;
 }
 
+ProfileValues profile_values_of(Input& input) {
+  const auto values = [&] { return std::vector<double>(input.byte() % 3); };
+  return {values(), values(), values(), 0, 0, 0};
+}
+
 Checkpoint checkpoint_of(Input& input) {
   Checkpoint checkpoint;
   checkpoint.partial_result.series.columns = {{"shear_strain", "gamma", "1", "shear strain", "", {}}};
@@ -74,8 +79,7 @@ Checkpoint checkpoint_of(Input& input) {
     slide.state.local_steps = input.byte() % 4 == 0 ? input.number<std::int64_t>() : 5;
     slide.spacing = {input.value(), input.value(), input.byte()};
     for (int i = input.byte() % 3; i > 0; --i)
-      slide.profiles.push_back({std::vector<double>(input.byte() % 3), std::vector<double>(input.byte() % 3),
-                                std::vector<double>(input.byte() % 3), 0, 0, 0, input.number<std::int8_t>()});
+      slide.profiles.push_back({profile_values_of(input), profile_values_of(input), input.number<std::int8_t>()});
     for (int i = input.byte() % 4; i > 0; --i)
       slide.exchanges.over_strain.add(1e-3 * input.byte(), std::vector<double>(5, input.value()));
     slide.exchanges.largest_strain = input.value();
@@ -137,7 +141,8 @@ void check(const Checkpoint& checkpoint) {
   for (const Shot& shot : checkpoint.shots) grains(shot.assembly);
   if (!checkpoint.slide) return;
   require(std::isfinite(checkpoint.slide->state.velocity) && checkpoint.slide->state.local_steps >= 0);
-  for (const ProfileSums& sums : checkpoint.slide->profiles) require(sums.shear.size() == sums.velocity.size());
+  for (const ProfileSums& sums : checkpoint.slide->profiles)
+    for (const ProfileValues& values : {sums.first, sums.sum}) require(values.shear.size() == values.velocity.size());
   const ExchangeRecord& exchanges = checkpoint.slide->exchanges;
   for (const WindowRecord* windows : {&exchanges.over_time, &exchanges.over_strain, &exchanges.over_displacement}) {
     require(windows->width > 0.0 && windows->at >= windows->begin && windows->sums.size() == windows->values.size());

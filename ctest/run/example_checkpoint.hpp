@@ -33,8 +33,10 @@ inline Checkpoint example_checkpoint() {
   slide.spacing = {0.25, std::numeric_limits<double>::infinity(), 77};
   slide.next_time = 0.52;
   slide.next_strain = 0.1 + 0.2;
-  slide.profiles = {{{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}, 0.7, 0.8, 0.9, 3},
-                    {{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3, 1}};
+  slide.profiles = {{{{0.01, 0.02}, {0.03, 0.04}, {0.05, 0.06}, 0.07, 0.08, 0.09},
+                     {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}, 0.7, 0.8, 0.9},
+                     3},
+                    {{{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3}, {{1.1, 1.2}, {1.3, 1.4}, {1.5, 1.6}, 1, 2, 3}, 1}};
   slide.complete_profiles.axis = {"height", "z/H", "1", "relative height", "", {0.25, 0.75}};
   slide.complete_profiles.columns = {{"velocity_1", "<v_x>/v_top", "1", "velocity", "", {0.1 / 0.7, 0.2 / 0.7}}};
   ExchangeRecord& exchanges = slide.exchanges;

@@ -32,6 +32,21 @@ TEST(ProfileMetrics, LeaveOutTheSublayersBehindTheGluedGrains) {
   EXPECT_NEAR(metrics.at("linearity_1"), 1.0, 1e-12);
 }
 
+TEST(ProfileMetrics, AreThoseOfTheMeanAndOfTheFirstSnapshot) {
+  Series series = profiles(std::vector<double>(10, 1.0), std::vector<double>(10, 1.0));
+  Series snapshot = profiles(std::vector<double>(10, 2.0), {0.1, 1.0, 1.0, 1.0, 1.4, 1.0, 0.6, 1.0, 1.0, 0.1});
+  for (Column& column : snapshot.columns) {
+    column.name = "snapshot_" + column.name;
+    series.columns.push_back(column);
+  }
+  const auto metrics = metrics_of(series);
+  EXPECT_EQ(metrics.size(), 8U);
+  EXPECT_NEAR(metrics.at("shear_top_1"), 1.0, 1e-12);
+  EXPECT_NEAR(metrics.at("normal_unevenness_1"), 0.0, 1e-12);
+  EXPECT_NEAR(metrics.at("snapshot_shear_top_1"), 2.0, 1e-12);
+  EXPECT_NEAR(metrics.at("snapshot_normal_unevenness_1"), 0.4, 1e-12);
+}
+
 TEST(ProfileMetrics, AreNoneWithoutProfiles) { EXPECT_TRUE(profile_metrics(Series{}).empty()); }
 
 }  // namespace
