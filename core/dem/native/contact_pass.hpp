@@ -32,7 +32,13 @@ struct PairView {
   const Real* root_scale;  ///< sqrt(s) of a law whose scale is constant for a pair (see grains/laws/lane.hpp)
   Real *spring[3], *rolling_torque[3];  ///< histories, which the pass advances
   Real image_velocity = 0;              ///< velocity of the image above the cell along x relative to the cell, m/s
+  /// The second grains of pairs before this one are fetched from memory ahead of use; 0: the grains fit into the cache,
+  /// and fetching would only cost time.
+  std::size_t fetch_end = 0;
 };
+
+/// Distance in pairs by which grains are fetched ahead of use.
+inline constexpr std::size_t fetch_distance = 2 * tile_size;
 
 /// Number of grains in a block. Sums for the stress are taken block by block, so that the total has the same bits for
 /// any number of threads.

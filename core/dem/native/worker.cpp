@@ -24,6 +24,8 @@ constexpr double steps_of_fast_grains = 16.0;
 /// Number of pairs after which grains with complete loads are moved, while they are in the cache. No result depends on
 /// it.
 constexpr std::size_t pairs_at_once = 4 * tile_size;
+/// Size (bytes) of grains and loads beyond which grains are fetched ahead of use. No result depends on it.
+constexpr std::size_t size_in_cache = std::size_t{4} << 20;
 
 }  // namespace
 
@@ -181,6 +183,7 @@ template <typename Then>
 void Worker<Real>::sum_loads(int buffer, AcrossFaces* across, Then then) {
   PairView<Real> pairs = list_.view(boundaries_.cell());
   const std::size_t all = pairs.end;
+  if (loads_.size() * (sizeof(Body<Real>) + sizeof(Load<Real>)) > size_in_cache) pairs.fetch_end = all;
   GrainRange part{range_.begin, range_.begin};
   for (pairs.end = 0; part.end < range_.end;) {
     pairs.begin = pairs.end;

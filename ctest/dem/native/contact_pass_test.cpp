@@ -116,5 +116,22 @@ TYPED_TEST(ContactPassOf, WhatPairsDoAcrossFacesIsSummedByTheBlockOfTheirFirstGr
     EXPECT_EQ(vector_of(plain.loads[i].force), vector_of(pairs.loads[i].force));
 }
 
+TYPED_TEST(ContactPassOf, FetchingGrainsAheadChangesNoBit) {
+  const RandomPairs<TypeParam> before(7);
+  for (const std::string& set : instruction_sets()) {
+    RandomPairs<TypeParam> plain = before, fetched = before;
+    plain.evaluate(passes<TypeParam>(set));
+    PairView<TypeParam> view = fetched.view();
+    view.fetch_end = view.end;  // four tiles: two of them are fetched ahead
+    passes<TypeParam>(set).contacts(law_constants<TypeParam>(fetched.material, pass_step), view, fetched.bodies.data(),
+                                    fetched.loads.data(), nullptr);
+    for (std::size_t p = 0; p < plain.first.size(); ++p) {
+      EXPECT_EQ(vector_of(fetched.loads[2 * p].force), vector_of(plain.loads[2 * p].force));
+      EXPECT_EQ(vector_of(fetched.loads[2 * p + 1].torque), vector_of(plain.loads[2 * p + 1].torque));
+      EXPECT_EQ(fetched.spring(p), plain.spring(p));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flowslide::native

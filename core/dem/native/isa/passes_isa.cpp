@@ -13,12 +13,26 @@ namespace flowslide::native {
 inline namespace FLOWSLIDE_ISA {
 namespace {
 
+/// Starts to fetch the second grains of a tile. In the order of the list, a grain is read for the first time as the
+/// second of a pair, at a place that no hardware foresees.
+template <typename Real>
+inline void fetch_second(const std::uint32_t* second, const Body<Real>* bodies, Load<Real>* loads) {
+  constexpr std::size_t line = 64;
+  for (int k = 0; k < tile_size; ++k) {
+    const char* body = reinterpret_cast<const char*>(bodies + second[k]);
+    for (std::size_t at = 0; at < sizeof(Body<Real>); at += line) __builtin_prefetch(body + at);
+    __builtin_prefetch(loads + second[k], 1);
+  }
+}
+
 template <typename Real, typename Law, bool Sliding, bool Rolling>
 void all_pairs(const LawConstants<Real>& constants, const PairView<Real>& pairs, const Body<Real>* bodies,
                Load<Real>* loads, AcrossFaces* across) {
   constexpr bool spins = Sliding || Rolling;
   Tile<Real> tile;
   for (std::size_t start = pairs.begin; start < pairs.end; start += Tile<Real>::size) {
+    if (start + fetch_distance < pairs.fetch_end)
+      fetch_second(pairs.second + start + fetch_distance, bodies, loads);
     gather<Real, typename Law::Normal, spins>(pairs, start, bodies, tile);
     apply_law<Real, Law, Sliding, Rolling>(constants, tile);
     scatter<Real, spins>(pairs, start, tile, loads);
