@@ -54,8 +54,19 @@ void PairList<Real>::search(const Cell& cell, const Bodies& bodies, const std::v
   for (const NearPair& pair : CellGrid(cell, bodies, allowance).pairs(range_))
     if (role[pair.first] == Role::mobile || role[pair.first] != role[pair.second])
       candidates_.push_back(candidate(pair, bodies));
+  find_foreign();
   const auto nobody = static_cast<std::uint32_t>(role.size());
   nobody_ = candidate({nobody, nobody + 1, image_of(0, 0, 0)}, bodies);
+}
+
+template <typename Real>
+void PairList<Real>::find_foreign() {
+  foreign_.clear();
+  for (const Candidate& c : candidates_)
+    for (const std::uint32_t i : {c.pair.first, c.pair.second})
+      if (!range_.owns(i)) foreign_.push_back(i);
+  std::sort(foreign_.begin(), foreign_.end());
+  foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
 }
 
 template <typename Real>

@@ -45,6 +45,8 @@ class PairList {
   /// The input of the contact pass, valid until the list changes. `cell` gives the present periods.
   PairView<Real> view(const Cell& cell);
   std::size_t pairs() const { return pairs_; }
+  /// The grains of other ranges in the pairs of the last search, sorted.
+  const std::vector<std::uint32_t>& foreign() const { return foreign_; }
   /// Separation x_first - x_second of a pair, with the nearest image at the last build, m.
   Vector3 separation(std::size_t pair, const Bodies& bodies) const;
 
@@ -66,6 +68,7 @@ class PairList {
     void put(std::size_t p, const Candidate& candidate, std::uint8_t image_now);
   };
   Candidate candidate(const NearPair& pair, const Bodies& bodies) const;
+  void find_foreign();
   void keep_histories(std::size_t old_pairs);
   Vector3 history(std::size_t first_component, std::size_t pair) const;
   void set_shifts(const Cell& cell);
@@ -73,6 +76,7 @@ class PairList {
   GrainRange range_;
   ContactLaw law_ = ContactLaw::hertz;  ///< of the last search
   std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> foreign_;
   std::vector<int> folded_;  ///< change of the image number of each grain's pairs by folds since the search
   Candidate nobody_{};       ///< padding pair
   std::size_t pairs_ = 0;

@@ -11,9 +11,19 @@ namespace flowslide::native {
 namespace {
 
 /// Number of checks of a barrier before a thread yields its core: some microseconds, less than a step.
-constexpr int spins_before_yield = 2000;
+constexpr int spins_before_yield = 200;
 /// Number of yields before a thread without a task sleeps. While a sample is sheared, the next task follows soon.
 constexpr int yields_before_sleep = 200;
+
+/// Leaves the units of a core to its other hardware thread for a moment. A thread that spins without this slows down the
+/// thread that it waits for, where both share a core.
+inline void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
 
 }  // namespace
 
@@ -67,8 +77,10 @@ void ThreadTeam::barrier() {
     phase_.fetch_add(1, std::memory_order_release);
     return;
   }
-  for (int spins = 0; phase_.load(std::memory_order_acquire) == phase; ++spins)
+  for (int spins = 0; phase_.load(std::memory_order_acquire) == phase; ++spins) {
+    pause();
     if (spins >= spins_before_yield) std::this_thread::yield();
+  }
 }
 
 }  // namespace flowslide::native

@@ -179,8 +179,19 @@ void Worker<Real>::build(int buffer) {
 }
 
 template <typename Real>
+void Worker<Real>::fetch_foreign(int buffer) const {
+  constexpr std::size_t line = 64;
+  const Body<Real>* bodies = grains_.state(buffer).data();
+  for (const std::uint32_t i : list_.foreign()) {
+    const char* body = reinterpret_cast<const char*>(bodies + i);
+    for (std::size_t at = 0; at < sizeof(Body<Real>); at += line) __builtin_prefetch(body + at);
+  }
+}
+
+template <typename Real>
 template <typename Then>
 void Worker<Real>::sum_loads(int buffer, AcrossFaces* across, Then then) {
+  fetch_foreign(buffer);
   PairView<Real> pairs = list_.view(boundaries_.cell());
   const std::size_t all = pairs.end;
   if (loads_.size() * (sizeof(Body<Real>) + sizeof(Load<Real>)) > size_in_cache) pairs.fetch_end = all;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "grains/pair_constants.hpp"
 #include "pair_search.hpp"
@@ -103,6 +104,16 @@ double in_float(double x) {
   return rounded;
 }
 
+/// The grains that `range` does not own, in pairs that it lists.
+std::vector<std::uint32_t> foreign_grains(const Assembly& cloud, const std::vector<double>& allowance,
+                                          const GrainRange& range) {
+  std::set<std::uint32_t> grains;
+  for (const NearPair& pair : every_near_pair(cloud, allowance, range))
+    for (const std::uint32_t i : {pair.first, pair.second})
+      if (!range.owns(i) && !in_one_layer(cloud, pair.first, pair.second)) grains.insert(i);
+  return {grains.begin(), grains.end()};
+}
+
 TEST(PairList, SharesHoldWhatTouchesTheirGrainsAndEachContactIsSavedOnce) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const Assembly cloud = fuzzed_cloud(seed);
@@ -115,6 +126,7 @@ TEST(PairList, SharesHoldWhatTouchesTheirGrainsAndEachContactIsSavedOnce) {
       PairList<float> list(range);
       make(list, cloud, bodies, allowance);
       expect_all_pairs(cloud, list, allowance, range);
+      EXPECT_EQ(list.foreign(), foreign_grains(cloud, allowance, range));
       list.set_histories(cloud.contacts);
       list.add_histories(bodies, saved);
     }
