@@ -18,23 +18,26 @@ one(i) = data(word(slides, i))
 corner = stated("RD_3kPa RI_3kPa", range_of_samples."; inset: first sample")
 least = least_of(wide_bands, "pore_pressure_lowest")   # below 0: suction
 lowest = least < 0 ? 5 * floor(kilo * least / 5) : 0
+farthest = largest_of(bands." ".wide_bands, "displacement"); far = in_milli(farthest)
+fastest = largest_of(bands, "velocity_highest"); fast = in_milli(fastest)
 
 do for [format in "png pdf"] {
   eval terminal(format, 15, 7.6)
   set output picture.".".format
-  set multiplot layout 1, 2 margins 0.08, 0.98, 0.165, 0.855 spacing 0.11 title corner @in_corner
-  set xlabel "sliding distance {/:Italic x} (m)"
+  set multiplot layout 1, 2 margins (fast == 1 ? 0.08 : 0.105), 0.98, 0.165, 0.855 spacing 0.11 title corner @in_corner
+  set xlabel sprintf("sliding distance {/:Italic x} (%s)", milli_unit(farthest, "m"))
+  if (far != 1 && farthest > 0) { set xtics few_tics(far * farthest) }
   set xrange [0:*] noextend
 
   set title panel("A", "sliding velocity")
-  set ylabel "sliding velocity {/:Italic v} (m/s)" offset 1
+  set ylabel sprintf("sliding velocity {/:Italic v} (%s)", milli_unit(fastest, "m/s")) offset 1
   set yrange [0:*]
   set offsets 0, 0, graph 0.2, 0   # room for the key
   set key left top Left reverse
   eval frame(bands, "set xrange [0:1]; set yrange [0:1]")
-  plot for [i = 1:2] band(i) using (column("displacement")):(column("velocity_lowest")): \
-         (column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] band(i) using (column("displacement")):(column("velocity_median")) \
+  plot for [i = 1:2] band(i) using (far * column("displacement")):(fast * column("velocity_lowest")): \
+         (fast * column("velocity_highest")) with filledcurves linecolor rgb colour[i] notitle, \
+       for [i = 1:2] band(i) using (far * column("displacement")):(fast * column("velocity_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] title label[i]
 
   set offsets
@@ -42,9 +45,9 @@ do for [format in "png pdf"] {
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
   set yrange [lowest:62]; set ytics lowest, 5, 30   # the upper half is that of the inset
   unset key
-  plot for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_lowest")): \
+  plot for [i = 1:2] wide(i) using (far * column("displacement")):(kilo * column("pore_pressure_lowest")): \
          (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
-       for [i = 1:2] wide(i) using (column("displacement")):(kilo * column("pore_pressure_median")) \
+       for [i = 1:2] wide(i) using (far * column("displacement")):(kilo * column("pore_pressure_median")) \
          with lines linewidth 1.4 linecolor rgb colour[i] notitle
 
   set lmargin at screen 0.68; set rmargin at screen 0.97

@@ -15,7 +15,7 @@ values = values_of("slides.dat", "value")
 several = values_of("slides.dat", "samples") ne "1"
 names = names_in("sweep.dat")
 swept = rows("sweep.dat") > 0
-largest(s, of) = optional(names, s."_largest_velocity_".of)   # missing if the runs are too short
+largest(s, of) = optional(names, s."_largest_velocity_".of)   # missing in tables of older versions, for short runs
 place(wanted, list) = sum [i = 1:words(list)] (word(list, i) eq wanted ? i : 0)
 of_run(i, name) = asked("values", "-v name=".name." -v key=slide -v is=".shell_quoted(word(runs, i)), "slides.dat")
 
@@ -40,9 +40,8 @@ do for [i = 1:count] {
     farthest = X_max > farthest ? X_max : farthest; fastest = V_max > fastest ? V_max : fastest
   }
 }
-# A slope that stands moves by less than a centimetre.
-far = farthest > 0.01 ? 1 : 1e3; far_unit = far == 1 ? "m" : "mm"
-fast = fastest > 0.01 ? 1 : 1e3; fast_unit = fast == 1 ? "m/s" : "mm/s"
+far = in_milli(farthest); far_unit = milli_unit(farthest, "m")
+fast = in_milli(fastest); fast_unit = milli_unit(fastest, "m/s")
 # Large and small values on the axis of D stand before a power of ten.
 axis = label_of("x axis"); bracket = strstrt(axis, "(")
 largest_value = 0

@@ -76,6 +76,13 @@ bent(value, bend) = value < bend ? value : bend * (1 + 0.4 * log(value / bend))
 straight(place, bend) = place < bend ? place : bend * exp((place / bend - 1) / 0.4)
 at_least(value, least) = value > least ? value : least   # `least`, too, for NaN
 
+# A slope that stands moves by less than a centimetre: with in_milli(LARGEST), its values are in mm or mm/s.
+in_milli(largest) = largest <= 0.01 ? 1e3 : 1   # 1 for NaN, too
+milli_unit(largest, unit) = (in_milli(largest) == 1 ? "" : "m").unit
+# few_tics(LENGTH): a distance of tics, 1, 2 or 5 times a power of ten, that gives 3 to 7 of them; they cannot overlap.
+few_tics(length) = round_down(length / 3.0, 10**floor(log10(length / 3.0)))
+round_down(step, power) = power * (step >= 5 * power ? 5 : step >= 2 * power ? 2 : 1)
+
 kilo = 1e-3       # Pa to kPa
 percent = 100.0   # strain to %
 

@@ -4,7 +4,7 @@
 # `coarse_bands`, `key_title`; of the last panel `axis` (the column), parameter(I), on_axis(0), last_x (range), largest_title
 # and mark_critical; and the number of the curve that an inset of A shows in mm, `inset` (0: none); and largest_key, its place.
 sweep_names = names_in("sweep.dat")
-largest(s, of) = optional(sweep_names, s."_largest_velocity_".of)   # missing if the runs are too short
+largest(s, of) = optional(sweep_names, s."_largest_velocity_".of)   # missing in tables of older versions, for short runs
 median(scheme, i) = data(slide(scheme, i)."_over_displacement.dat")
 coarse(scheme, i) = data(slide(scheme, i)."_coarse.dat")
 sweep = data("sweep.dat")

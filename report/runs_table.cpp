@@ -61,7 +61,7 @@ std::string origins(const std::vector<Run>& runs) {
 
 std::string runs_table(const std::vector<Run>& runs, const std::filesystem::path& folder) {
   std::string html =
-      "<div class=\"wide\"><table class=\"runs\"><thead><tr><th scope=\"col\">Point</th><th scope=\"col\">Data</th>"
+      "<div class=\"wide\"><table class=\"runs\"><thead><tr><th scope=\"col\">Run</th><th scope=\"col\">Data</th>"
       "<th scope=\"col\">Engine</th><th scope=\"col\" class=\"number\">Seed</th>"
       "<th scope=\"col\" class=\"number\">Ranks</th><th scope=\"col\" class=\"number\">Processor time</th><th "
       "scope=\"col\">Started (UTC)</th>"

@@ -26,9 +26,9 @@ wall_time() {
     END { for (i in busy) if (busy[i] > wall) wall = busy[i]; printf "%.0f\n", wall }'
 }
 
-# duration SECONDS: prints "45 s", "3 min" or "2.5 h".
+# duration SECONDS: prints "45 s", "3 min" or "2.5 h"; "below 1 s" for less than half a second.
 duration() {
-  awk -v s="$1" 'BEGIN { if (s < 100) printf "%.0f s", s; else if (s < 6000) printf "%.0f min", s / 60;
+  awk -v s="$1" 'BEGIN { if (s < 0.5) printf "below 1 s"; else if (s < 100) printf "%.0f s", s; else if (s < 6000) printf "%.0f min", s / 60;
                          else printf "%.1f h", s / 3600 }'
 }
 
@@ -41,11 +41,27 @@ run_point() {
 }
 export -f run_point
 
+# refuse_other_results NAME FOLDER PROGRAM OPTIONS...: ends with 2 if FOLDER has results of these runs that were made with
+# other settings. One message for all runs: each of them would refuse its own.
+refuse_other_results() {
+  local name=$1 folder=$2 standing message
+  shift 2
+  [[ -e $folder/.flowslide/case && " $* " != *' --afresh '* ]] || return 0
+  standing=$("$@" --status --json 2>/dev/null) || return 0   # the first run says what is wrong
+  message=$(jq -r --arg folder "$folder" '
+    [.points[] | select(.state == "outdated")] as $others
+    | if ($others | length) == 0 then empty else
+      "\($others | length) of \(.points | length) runs in \($folder) were made with other settings, and are not " +
+      "overwritten (\($others[0].name): \($others[0].place))" end' <<<"$standing")
+  [[ -z $message ]] || die "reproduce: $name: $message; choose another folder with --output DIR, or run these again with \
+-- --afresh, which deletes their results"
+}
+
 # progress_line NAME POINTS PREDICTED STARTED: prints the number of runs done and the predicted time left.
 progress_line() {
   local left=$(($3 - SECONDS + $4)) done_points
   done_points=$(find "$scratch" -type f | wc -l)
-  printf '%s: %d of %d points done, %s' "$1" "$done_points" "$(wc -l <<<"$2")" \
+  printf '%s: %d of %d runs done, %s' "$1" "$done_points" "$(wc -l <<<"$2")" \
     "$( ((left > 0)) && echo "about $(duration "$left") left" || echo "longer than predicted; samples may be prepared")"
 }
 
@@ -55,13 +71,13 @@ progress_line() {
 run_points() {
   local name=$1 points=$2 jobs=$3 group started=$SECONDS predicted point code
   shift 3
-  [[ -n $points ]] || die "reproduce: $name lists no point for these figures" 3
+  [[ -n $points ]] || die "reproduce: $name lists no run for these figures" 3
   predicted=$(wall_time "$jobs" <<<"$points")
   scratch=$(mktemp -d) clear_line=''
   [[ ! -t 2 ]] || clear_line=$'\r\033[K'
   export scratch clear_line
   trap 'rm -rf "$scratch"' EXIT
-  say "$name: $(wc -l <<<"$points") points, $jobs at a time, predicted $(duration "$predicted")"
+  say "$name: $(wc -l <<<"$points") runs, $jobs at a time, predicted $(duration "$predicted")"
 
   set -m   # the runs get a process group of their own, so one signal reaches all of them
   cut -f 1 <<<"$points" | tr '\n' '\0' |
@@ -81,15 +97,15 @@ run_points() {
 
   while IFS=$'\t' read -r point _; do
     code=$(cat "$scratch/$point" 2>/dev/null || echo 3)
-    ((code == 0)) || die "reproduce: point $point of $name ended with exit code $code; no figure is plotted" "$code"
+    ((code == 0)) || die "reproduce: run $point of $name ended with exit code $code; no figure is plotted" "$code"
   done <<<"$points"
   rm -r "$scratch"
-  say "$name: all points done in $(duration $((SECONDS - started)))"
+  say "$name: all runs done ($(duration $((SECONDS - started))))"
 }
 
 stop_points() {
   say ''
-  say 'reproduce: stopping the running points; press Ctrl-C again to end them at once'
+  say 'reproduce: stopping the runs; press Ctrl-C again to end them at once'
   trap 'kill -KILL -- "-'"$1"'" 2>/dev/null; exit 130' INT TERM
   kill -INT -- "-$1" 2>/dev/null
   while kill -0 -- "-$1" 2>/dev/null; do sleep 0.2; done

@@ -15,9 +15,9 @@ submit_points() {
   logs=$folder.slurm
   mkdir -p "$logs"
   job=$(sbatch --parsable --job-name="$name" --array="1-${#names[@]}" --ntasks="$ranks" --output="$logs/%A_%a.log" \
-    "$root/scripts/slurm_array.sh" "${names[@]}" -- "${command[@]}") || die 'reproduce: sbatch refused the points' 1
+    "$root/scripts/slurm_array.sh" "${names[@]}" -- "${command[@]}") || die 'reproduce: sbatch refused the runs' 1
   job=${job%%;*}   # in a federation, sbatch prints "job;cluster"
   collecting=$(sbatch --parsable --job-name="$name-collect" --ntasks=1 --output="$logs/collect.log" \
     --dependency="afterany:$job" --wrap "$(printf '%q ' "$@")") || die 'reproduce: sbatch refused the collection' 1
-  say "$name: job $job runs ${#names[@]} points, job ${collecting%%;*} collects their results; output in $logs"
+  say "$name: job $job executes ${#names[@]} runs, job ${collecting%%;*} collects their results; output in $logs"
 }

@@ -28,6 +28,6 @@ while :; do   # a signal ends `wait` before the program ends, so wait again
   [[ $told == yes ]] || break
   told=no
 done
-echo "slurm_array.sh: point $point ended with exit code $code" >&2
+echo "slurm_array.sh: run $point ended with exit code $code" >&2
 ((code != 75)) || scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
 exit "$code"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 #include <map>
 
 #include "configuration/error.hpp"
@@ -40,6 +41,14 @@ void refuse_unusual_schemes(const Configuration& configuration, const std::vecto
   }
 }
 
+/// Refuses a key that the user both fixes and sweeps: one of the two values would have no effect.
+void refuse_fixed_key(const Configuration& configuration, const Sweep& sweep, const std::string& sample) {
+  for (const std::string& key : sweep.replaced(configuration, sample))
+    if (configuration.is_users(key))
+      configuration.refuse(key, fmt::format("is fixed here, but it is also swept ({})", configuration.place_of({"sweep"})),
+                           fmt::format("remove \"{}\" to sweep it, or \"{}\" to keep it fixed", key, sweep.key));
+}
+
 }  // namespace
 
 std::unique_ptr<Case> make_case() { return std::make_unique<StudyCase>(); }
@@ -59,12 +68,11 @@ void StudyCase::read(const Configuration& configuration) {
   schemes_ = configuration.texts("study.scheme", configuration.subtables("scheme"));
   refuse_unusual_schemes(configuration, schemes_);
   sweep_ = read_sweep(configuration, engine_, sample_);
+  if (sweep_.exists()) refuse_fixed_key(configuration, sweep_, sample_);
   for (std::size_t scheme = 0; scheme < schemes_.size(); ++scheme) {
     if (!sweep_.exists()) read_run(configuration, scheme, nullptr);
     for (const SweepValue& value : sweep_.values) read_run(configuration, scheme, &value);
   }
-  if (!sweep_.exists()) return;
-  for (const std::string& key : sweep_.replaced(configuration, sample_)) configuration.override_by(key, sweep_.key);
 }
 
 void StudyCase::read_run(const Configuration& configuration, std::size_t scheme, const SweepValue* value) {
@@ -125,7 +133,12 @@ void StudyCase::finish(const OutputFolder& output) const {
   const std::string grains = this->slides().front().closed_form
                                  ? "no grains"
                                  : fmt::format("{} grains", std::int64_t{counts[0]} * counts[1] * counts[2]);
-  write_study_tables(output, {description().name, engine_ + ", " + grains, schemes_, sweep_, runs_}, slides);
+  const StudyFigure study{description().name, engine_ + ", " + grains, schemes_, sweep_, runs_};
+  write_study_tables(output, study, slides);
+  for (const std::string& scheme : schemes_)
+    if (is_sweep_without_effect(study, scheme, slides))
+      std::cerr << fmt::format("flowslide: {} has no effect: the runs of {} have the same result for all its values, "
+                               "because this sample and loading do not use it\n", sweep_.key, scheme);
 }
 
 }  // namespace flowslide

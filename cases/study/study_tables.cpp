@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "program/runout.hpp"
@@ -67,7 +68,29 @@ std::string note_of(const StudyFigure& study, const Ensembles& slides) {
                      slides.begin()->second.front().provenance.scale);
 }
 
+/// Whether two runs have the same rows, bit by bit.
+bool have_same_rows(const Result& one, const Result& other) {
+  const auto same = [](const Column& a, const Column& b) {
+    return std::ranges::equal(a.values, b.values,
+                              [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+  };
+  return same(one.series.axis, other.series.axis) && std::ranges::equal(one.series.columns, other.series.columns, same);
+}
+
 }  // namespace
+
+bool is_sweep_without_effect(const StudyFigure& study, const std::string& scheme, const Ensembles& slides) {
+  const Ensemble* first = nullptr;
+  int values = 0;
+  for (const StudyRun& run : study.runs) {
+    const auto found = slides.find(run.name);
+    if (run.scheme != scheme || found == slides.end()) continue;
+    ++values;
+    if (first == nullptr) first = &found->second;
+    if (!std::ranges::equal(*first, found->second, have_same_rows)) return false;
+  }
+  return values > 1;
+}
 
 void write_study_tables(const OutputFolder& output, const StudyFigure& study, const Ensembles& slides) {
   write_atomically(output.file("slides.dat"), runs_table(study, slides));

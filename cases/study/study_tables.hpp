@@ -19,6 +19,10 @@ struct StudyFigure {
   std::vector<StudyRun> runs;
 };
 
+/// Whether the swept key changed nothing: a scheme has results of several values, and the rows of each sample are the
+/// same for all values.
+bool is_sweep_without_effect(const StudyFigure& study, const std::string& scheme, const Ensembles& slides);
+
 /// Writes the tables of those runs that have results:
 ///   slides.dat  one row per run: slide, scheme, the value in the unit of the sweep, number of samples
 ///   sweep.dat   v_max, peak of tau and runout of each scheme over the swept value (see sweep_series); without rows

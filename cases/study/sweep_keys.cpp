@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "configuration/nearest.hpp"
@@ -25,6 +26,11 @@ struct SweepTable {
 /// Keys that are no property of a slope or of a sample. All samples of a study are prepared by one engine.
 const std::set<std::string> never{"like", "allow_unstable", "most_trials", "engine"};
 
+/// Keys that change no result, and why.
+const std::map<std::string, std::string> idle{
+    {"coupling.shear_modulus", "it is only a bound for the limit of dt_G"},
+    {"elastic.void_ratio", "the stresses of the elastic sample do not depend on it"}};
+
 /// Keys with one value in these tables, and those that the table may have.
 SweepTable keys_of(const Configuration& configuration, const std::string& name,
                    const std::vector<std::string>& tables) {
@@ -36,6 +42,7 @@ SweepTable keys_of(const Configuration& configuration, const std::string& name,
     if (std::ranges::find(known.tables, name) != known.tables.end())
       found.keys.insert(known.names.begin(), known.names.end());
   for (const std::string& key : never) found.keys.erase(key);
+  std::erase_if(found.keys, [&](const std::string& key) { return idle.contains(name + "." + key); });
   return found;
 }
 
@@ -62,6 +69,25 @@ std::string list_of_keys(const std::vector<SweepTable>& tables) {
   for (const SweepTable& table : tables)
     texts.push_back(fmt::format("[{}] ({})", table.name, fmt::join(table.keys, ", ")));
   return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// Refuses a key that exists but has no effect in this study: one of another closed-form sample, or an idle one.
+void refuse_key_without_effect(const Configuration& configuration, const Sweep& sweep, const std::string& table_asked,
+                               const std::string& asked, const std::string& engine) {
+  const auto means = [&](const std::string& table) { return table_asked.empty() || table_asked == table; };
+  const auto refuse_idle = [&](const std::string& table) {
+    if (const auto found = idle.find(table + "." + asked); means(table) && found != idle.end())
+      configuration.refuse(sweep.key, "has no effect: " + found->second, "sweep another key");
+  };
+  refuse_idle(engine);
+  for (const std::string& other : closed_form_sample_names())
+    if (other != engine && means(other) &&
+        (keys_of(configuration, other, {other}).keys.contains(asked) || idle.contains(other + "." + asked)))
+      configuration.refuse(sweep.key,
+                           fmt::format("has no effect: engine = \"{}\" does not use [{}], engine = \"{}\" does",
+                                       engine, other, other),
+                           "choose that engine, or sweep another key");
+  refuse_idle("coupling");
 }
 
 [[noreturn]] void refuse_key(const Configuration& configuration, const Sweep& sweep, const std::string& asked,
@@ -95,6 +121,7 @@ void find_swept_key(const Configuration& configuration, const std::string& engin
   std::vector<std::string> having;
   for (const SweepTable& table : tables)
     if (table.keys.contains(asked) && (table_asked.empty() || table_asked == table.name)) having.push_back(table.name);
+  if (having.empty()) refuse_key_without_effect(configuration, sweep, table_asked, asked, engine);
   if (having.empty()) refuse_key(configuration, sweep, asked, tables, of_grains);
   if (having.size() > 1)
     configuration.refuse(sweep.key, fmt::format("may mean a key of [{}]", fmt::join(having, "] or [")),

@@ -12,12 +12,15 @@
 namespace flowslide {
 namespace {
 
-/// A cell of a Markdown table: escapes bars and replaces line breaks by blanks.
+/// A cell of a Markdown table: escapes bars and what would be a tag of HTML, such as "<tau>", and replaces line breaks by
+/// blanks.
 std::string markdown_cell(std::string_view text) {
   std::string cell;
-  for (const char c : text) {
-    if (c == '|') cell += '\\';
-    cell += c == '\n' ? ' ' : c;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins_tag = text[i] == '<' && i + 1 < text.size() && text[i + 1] != ' ' && text[i + 1] != '=';
+    if (text[i] == '|') cell += '\\';
+    if (begins_tag) cell += "&lt;";
+    else cell += text[i] == '\n' ? ' ' : text[i];
   }
   return cell;
 }

@@ -93,6 +93,13 @@ const Entry& Configuration::require(std::string_view key, std::string_view wante
       fmt::format("{}: {} is needed; add it {} or with --set {}=VALUE{}", where, wanted, to, key, hint));
 }
 
+bool Configuration::is_users(std::string_view key) const {
+  return std::ranges::any_of(entries_, [&](const Entry& entry) {
+    return entry.kind != Entry::Kind::table && !is_published_origin(entry) &&
+           (entry.key == key || stands_below(entry.key, key));
+  });
+}
+
 bool Configuration::is_users_table(std::string_view table) const {
   const Entry* entry = find(table);
   return entry != nullptr && entry->kind == Entry::Kind::table && !is_published_origin(*entry);
@@ -132,7 +139,9 @@ void Configuration::describe_users(std::string_view pattern, std::string_view us
 std::string Configuration::place_of(const std::vector<std::string>& tables) const {
   std::vector<std::string> places;
   for (const Entry& entry : entries_) {
-    const auto covers = [&](const std::string& table) { return stands_below(entry.key, table); };
+    const auto covers = [&](const std::string& table) {
+      return entry.key == table || stands_below(entry.key, table);
+    };
     if (entry.kind == Entry::Kind::table || is_published_origin(entry) ||
         std::none_of(tables.begin(), tables.end(), covers))
       continue;

@@ -67,6 +67,8 @@ class Configuration {
 
   /// Whether the configuration has the key, as a value or as a table. Marks the key as known.
   bool has(std::string_view key) const;
+  /// Whether --config or an option gives a value at `key` or below it.
+  bool is_users(std::string_view key) const;
   /// Whether --config or an option added this table, which neither the case file nor its base has.
   bool is_users_table(std::string_view table) const;
   /// The nearest table that --config or an option added: `table` itself or one above it. Empty: there is none.
@@ -118,7 +120,8 @@ class Configuration {
   void inherit(const std::string& key, const std::string& source) const { inherited_[key] = source; }
 
   /// Where to look for the reason why values below these tables do not fit together: place, key and value of each that
-  /// --config or an option gives. If there is none, the place of the first of these tables.
+  /// --config or an option gives. If there is none, the place of the first of these tables. A key may stand in place of
+  /// a table.
   std::string place_of(const std::vector<std::string>& tables) const;
 
   /// Throws ConfigurationError about the value of `key`, for a rule that involves several keys. The message gives file,

@@ -45,6 +45,20 @@ std::string not_used_by(const Tables& table, const char* name) {
   return fmt::format("{} = \"{}\" does not use it", name, table.text(name));
 }
 
+/// The allowed values of most_steps: at least n_accum, `fewest`. Refuses an n_accum of the user above most_steps, because
+/// then n_accum is the cause.
+Range most_steps_range(const Configuration& configuration, const Tables& table, std::int64_t fewest) {
+  if (configuration.is_users(table.key("n_accum"))) {
+    const std::int64_t most = table.integer("most_steps", Range::between(1, most_steps_allowed));
+    if (fewest > most)
+      table.refuse("n_accum",
+                   fmt::format("is above {} = {}, the largest number of local steps of one exchange",
+                               table.key("most_steps"), most),
+                   fmt::format("choose n_accum from 1 to {}", most));
+  }
+  return Range::between(static_cast<double>(fewest), most_steps_allowed);
+}
+
 /// Refuses dt_G above `limit` (s), the limit of stability of `what`.
 void check_stability(const Tables& table, double time_step, double limit, const std::string& what) {
   if (time_step <= limit) return;
@@ -153,7 +167,7 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
                   {"whole_increment", []() -> Rule { return WholeIncrement{}; }},
                   {"variable_time_step", []() -> Rule { return VariableTimeStep{}; }}})();
   coupling.accept({"n_accum"}, not_used_by(coupling, "passing"));
-  passing.most_steps = coupling.integer("most_steps", Range::between(static_cast<double>(fewest), most_steps_allowed));
+  passing.most_steps = coupling.integer("most_steps", most_steps_range(configuration, coupling, fewest));
   return passing;
 }
 

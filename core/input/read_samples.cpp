@@ -12,9 +12,6 @@
 namespace flowslide {
 namespace {
 
-/// Distance between the seeds of two replicates. It leaves room for the seeds that a search tries.
-constexpr std::uint64_t seeds_per_replicate = 1000;
-
 /// Bounds the memory of a packing: a mistyped lattice is refused before it is allocated.
 constexpr std::int64_t most_grains = 10'000'000;
 

@@ -2,6 +2,7 @@
 // Reads slope, material and samples from a configuration.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "slope/statics.hpp"
 
 namespace flowslide {
+
+/// Distance between the seeds of two replicates. It leaves room for the seeds that a search tries.
+inline constexpr std::uint64_t seeds_per_replicate = 1000;
 
 /// Reads the table [slope]: Table 2 of the paper and the angle. Throws ConfigurationError.
 SlopeProperties read_slope(const Configuration& configuration);
@@ -37,7 +41,7 @@ std::vector<std::string> samples_in_use(const Configuration& configuration);
 ///   seed_offsets                        shift of the seed for each replicate; optional
 ///   found_preparation_frictions         mu_1 for each replicate; optional
 /// The two lists hold the results of an earlier search and save the trials of the next. `replicate` (from 0) selects
-/// their items. Without an item for it, the seed is shifted by 1000 `replicate`. Throws ConfigurationError.
+/// their items. Without an item for it, the seed is shifted by 1000 `replicate` (see seeds_per_replicate). Throws ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 

@@ -42,6 +42,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{} d {:02} h", hours / 24, hours % 24);
 }
 
+std::string prediction_text(double seconds) {
+  return seconds >= 0.0 && seconds < 0.5 ? "below 1 s" : duration_text(seconds);
+}
+
 std::string count_text(double count) {
   if (count < 999.5) return fmt::format("{:.3g}", count);
   const bool thousands = count < 999.5e3;

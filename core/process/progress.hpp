@@ -71,6 +71,9 @@ class Progress {
 /// "12 s", "3 min 05 s", "2 h 07 min", "4 d 02 h"; "unknown" when not finite or negative.
 std::string duration_text(double seconds);
 
+/// A predicted duration: as duration_text, but "below 1 s" for less than 0.5 s.
+std::string prediction_text(double seconds);
+
 /// "950", "12.3k", "4.56M" steps.
 std::string count_text(double count);
 

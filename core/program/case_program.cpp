@@ -14,6 +14,7 @@
 
 #include "claims/claims.hpp"
 #include "configuration/error.hpp"
+#include "input/remarks.hpp"
 #include "input/vocabulary.hpp"
 #include "process/exit_code.hpp"
 #include "process/mpi_session.hpp"
@@ -30,6 +31,7 @@
 #include "run/cost.hpp"
 #include "run/preliminary_results.hpp"
 #include "run/status.hpp"
+#include "sample/closed_form.hpp"
 
 namespace flowslide {
 namespace {
@@ -55,6 +57,7 @@ class CaseProgram {
   }
 
   int run() {
+    if (!options_.check && !options_.status && !options_.so_far && options_.points.empty()) say_remarks();
     if (options_.list) return list();
     if (options_.dry_run) return plan();
     if (options_.check) return check();
@@ -70,8 +73,17 @@ class CaseProgram {
   }
 
  private:
+  std::string engine() const { return configuration_.text("engine", case_.description().engines); }
+
+  /// Not with --point, where other programs run the other runs of the case and would repeat the remarks.
+  void say_remarks() const {
+    if (!first_rank()) return;
+    for (const std::string& remark : remarks_on(configuration_, engine()))
+      std::cerr << fmt::format("flowslide: {}\n", remark);
+  }
+
   void warn_of_idle_ranks() const {
-    const std::string engine = configuration_.text("engine", case_.description().engines);
+    const std::string engine = this->engine();
     if (mpi_ranks() > 1 && first_rank() && !engine.starts_with("liggghts"))
       std::cerr << fmt::format("flowslide: with --engine {} each of the {} ranks does the whole work; only liggghts "
                                "divides the work\n", engine, mpi_ranks());
@@ -121,8 +133,8 @@ class CaseProgram {
     print_inherited(out);
     for (const Point& point : points_) {
       if (!chosen_.contains(point.name)) continue;
-      out << fmt::format("\n# point {}: {}; predicted {} on one core\n", point.name, point.description,
-                         duration_text(point.predicted_seconds));
+      out << fmt::format("\n# run {}: {}; predicted {} on one core\n", point.name, point.description,
+                         prediction_text(point.predicted_seconds));
       case_.print_plan(point, out);
     }
     return to_int(ExitCode::ok);
@@ -251,8 +263,7 @@ class CaseProgram {
     std::vector<Claim> claims = claims_at(claims_.claims, options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     std::vector<Verdict> verdicts = evaluate(claims, metrics);
-    if (!changed_.empty())
-      verdicts = not_evaluated(verdicts, fmt::format("not the paper's settings: {}", fmt::join(changed_, "; ")));
+    if (const std::string reason = reason_not_to_evaluate(); !reason.empty()) verdicts = not_evaluated(verdicts, reason);
     if (verdicts.empty()) {
       if (options_.json) std::cout << json(verdicts);
       return to_int(ExitCode::ok);
@@ -261,6 +272,15 @@ class CaseProgram {
     write_atomically(output.file("claims.json"), json(verdicts));
     std::cout << (options_.json ? json(verdicts) : terminal_table(verdicts) + cost_text(cost_of(origins)) + "\n");
     return to_int(is_one_not_met(verdicts) ? ExitCode::claim_not_met : ExitCode::ok);
+  }
+
+  /// Why the claims are about other runs than these; empty if they are about these.
+  std::string reason_not_to_evaluate() const {
+    std::vector<std::string> reasons;
+    if (is_closed_form(engine()))
+      reasons.push_back(fmt::format("the claims are about samples of grains, and engine = \"{}\" has no grains", engine()));
+    if (!changed_.empty()) reasons.push_back(fmt::format("not the paper's settings: {}", fmt::join(changed_, "; ")));
+    return fmt::format("{}", fmt::join(reasons, "; "));
   }
 
   /// The chosen points that have a complete result. Throws if a chosen point has a damaged result or the result of

@@ -108,7 +108,7 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
                "Also run slides with dt_G above the limit of stability; sets the key `coupling.allow_unstable`")
       ->group(group);
   app.add_option("--point", command_line.points,
-                 "Run only this point, which is one run of the case. May be repeated; see --list")
+                 "Execute only this run of the case. May be repeated; see --list")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group(group);
@@ -121,12 +121,12 @@ void add_run_options(CLI::App& app, Raw& raw, CommandLine& command_line, const C
 void add_long_run_options(CLI::App& app, Raw& raw, CommandLine& command_line) {
   const std::string group = "Long runs";
   app.add_flag("--resume", command_line.resume,
-               "Require that the folder of results exists. With and without this option, points continue from their "
-               "checkpoints; points without a checkpoint start from the beginning")
+               "Require that the folder of results exists. With and without this option, runs continue from their "
+               "checkpoints; runs without a checkpoint start from the beginning")
       ->group(group);
   app.add_flag(
          "--afresh", command_line.afresh,
-         "Start the points again: first delete their checkpoints, and results that are damaged or of another run "
+         "Start the runs again: first delete their checkpoints, and results that are damaged or of another run "
          "(other settings, input files or engine). Without this option such results are an error. Complete results of "
          "this run are kept")
       ->excludes("--resume")
@@ -154,20 +154,20 @@ void add_other_options(CLI::App& app, CommandLine& command_line) {
                "Print the resolved configuration, the commands to the engine, the steps and the predicted time. Write "
                "nothing")
       ->group(group);
-  app.add_flag("--list", command_line.list, "Print the points with their predicted time")->group(group);
+  app.add_flag("--list", command_line.list, "Print the runs with their predicted time")->group(group);
   app.add_flag("--check", command_line.check,
-               "Collect the complete points in --output: write the tables of the figures and evaluate the claims")
+               "Collect the complete runs in --output: write the tables of the figures and evaluate the claims")
       ->group(group);
   app.add_flag("--prepare", command_line.prepare,
-               "Prepare the samples of the points and store them in the cache. Without this step, a run prepares its "
+               "Prepare the samples of the runs and store them in the cache. Without this step, a run prepares its "
                "own sample")
       ->group(group);
   app.add_flag("--status", command_line.status,
-               "Print the state and the progress of the points in --output: complete, running, stopped or not begun")
+               "Print the state and the progress of the runs in --output: complete, running, stopped or not begun")
       ->group(group);
   app.add_flag("--so-far", command_line.so_far,
-               "Write preliminary results to the folder so_far in --output: complete points, and other points up to "
-               "their last checkpoint. Plot them like complete results. Running points are not disturbed")
+               "Write preliminary results to the folder so_far in --output: complete runs, and other runs up to "
+               "their last checkpoint. Plot them like complete results. Running programs are not disturbed")
       ->group(group);
   app.add_flag("--json", command_line.json, "Machine-readable output of --list, --status or --check")->group(group);
 }
@@ -176,7 +176,7 @@ std::string footer(const std::string& name) {
   return fmt::format(
       "\nExamples:\n"
       "  {0}                                         run the whole case at quick scale\n"
-      "  {0} --list                                  print its points and their predicted time\n"
+      "  {0} --list                                  print its runs and their predicted time\n"
       "  {0} --scale paper --dry-run                 print the plan at the size of the paper\n"
       "  {0} --set slope.angle=\"6 deg\" --output results/6_deg   run with one changed value\n"
       "\nExit codes:\n"

@@ -21,7 +21,7 @@ class Owners {
     if (!is_new)
       throw ConfigurationError(
           fmt::format("the name \"{}\" is taken twice: by {} and by {}; both would be written to one file; give the "
-                      "table [point.<name>] another name (replicate N of a point is named <name>_rN)",
+                      "table [point.<name>] another name (replicate N of a run is named <name>_rN)",
                       name, known->second, owner));
   }
 

@@ -19,10 +19,14 @@ constexpr double rounding = 1e-9;       ///< margin for the rounding of a number
 constexpr int coarse_rows = 25;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// Means of a column over windows that overlap by half, to the end of the record. `window`: length of a window, s.
+/// Means of a column over windows that overlap by half, to the end of the record. `window`: length of a window, s. A
+/// record that is shorter than a window has one mean, over all of it; a record without rows has none.
 std::vector<double> running_means(const Series& over_time, const std::string& column, double window) {
+  const double end = end_of(over_time);
+  if (end <= 0.0) return {};
+  const int halves = static_cast<int>(std::floor(2.0 * end / window + rounding));
+  if (halves < 2) return {mean_over(over_time, column, 0.0, end)};
   std::vector<double> means;
-  const int halves = static_cast<int>(std::floor(2.0 * end_of(over_time) / window + rounding));
   for (int half = 0; half + 2 <= halves; ++half)
     means.push_back(mean_over(over_time, column, 0.5 * window * half, 0.5 * window * (half + 2)));
   return means;
@@ -37,6 +41,12 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
     ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(equal + 1));
   }
   return ranks;
+}
+
+/// "as a mean over 0.1 s", or that the record is shorter.
+std::string mean_text(const Series& over_time, double window) {
+  if (2.0 * end_of(over_time) / window + rounding >= 2.0) return fmt::format("as a mean over {} s", window);
+  return fmt::format("as a mean over all of the run, which is shorter than {} s", window);
 }
 
 bool all_have(const std::vector<SweepMember>& sweep, const std::string& metric) {
@@ -72,8 +82,9 @@ std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
   if (pulse != nullptr && stopped && std::isnan(after)) after = 0.0;
   return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
           {"lowest_normal_stress", statistics_of(running_means(over_time, "normal_stress", stress_window)).lowest, "Pa",
-           "least normal stress, as a mean over 0.02 s"},
-          {"largest_velocity", largest_velocity(over_time), "m/s", "largest sliding velocity, as a mean over 0.1 s"},
+           "least normal stress, " + mean_text(over_time, stress_window)},
+          {"largest_velocity", largest_velocity(over_time), "m/s",
+           "largest sliding velocity, " + mean_text(over_time, velocity_window)},
           {"velocity_after_pulse", after, "m/s", "sliding velocity when the pulse ends"},
           {"runout", outcome.series.last("displacement"), "m", "sliding distance at the end"},
           {"sliding_stopped", stopped ? 1.0 : 0.0, "1", "1 if sliding has stopped"},

@@ -45,7 +45,7 @@ void restore(const SlidePoint& running, const std::function<void()>& all) {
   try {
     all();
   } catch (const std::invalid_argument& error) {
-    throw ConfigurationError(fmt::format("the checkpoint of {} does not fit: {}; begin the point anew with --afresh",
+    throw ConfigurationError(fmt::format("the checkpoint of {} does not fit: {}; begin this run anew with --afresh",
                                          running.point.name, error.what()));
   }
 }
@@ -136,7 +136,7 @@ std::vector<Point> SlideCase::points() const {
 }
 
 const SlidePoint& SlideCase::slide(const std::string& point) const {
-  return named(slides_, "point", point, [](const SlidePoint& slide) { return slide.point.name; });
+  return named(slides_, "run", point, [](const SlidePoint& slide) { return slide.point.name; });
 }
 
 void SlideCase::print_plan(const Point& point, std::ostream& out) const {

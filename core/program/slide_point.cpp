@@ -61,7 +61,7 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   read.test->adaptive = read_adaptive_time_step(configuration, coupling, read.settings.passing.time_step);
   std::vector<std::string> places = tables;
   places.insert(places.end(), coupling.names().begin(), coupling.names().end());
-  const auto steps = as_written_by_user(fmt::format("{}: point {}", configuration.place_of(places), read.name), [&] {
+  const auto steps = as_written_by_user(fmt::format("{}: run {}", configuration.place_of(places), read.name), [&] {
     return static_cast<double>(read.test->steps(read.settings.passing.time_step));
   });
   read.parameters = parameters_of(read, std::nullopt);
@@ -85,7 +85,7 @@ std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
 /// `place` is where the settings of the point stand (see Configuration::place_of).
 void check_together(const Tables& table, const SlidePoint& point, const std::string& place) {
   const SlideSettings& settings = point.settings;
-  as_written_by_user(fmt::format("{}: point {}", place, point.name), [&] {
+  as_written_by_user(fmt::format("{}: run {}", place, point.name), [&] {
     validate(settings);
     validate(point.stop);
   });

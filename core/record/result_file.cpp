@@ -9,7 +9,7 @@
 namespace flowslide {
 namespace {
 
-constexpr const char* remedy = "delete it and run that point again";
+constexpr const char* remedy = "delete it and execute that run again";
 
 /// Calls `visit(name, member)` for each member. Writing and reading share this list.
 template <typename P, typename Visit>

@@ -26,9 +26,9 @@ std::string cost_text(const Cost& cost) {
   if (cost.recorded == 0) return "cost: not recorded";
   const int unrecorded = cost.points - cost.recorded;
   return fmt::format("cost: {} of processor time, {} predicted{}", duration_text(cost.processor_seconds),
-                     duration_text(cost.predicted_seconds),
+                     prediction_text(cost.predicted_seconds),
                      unrecorded > 0
-                         ? fmt::format("; without {} of {} points, which did not record it", unrecorded, cost.points)
+                         ? fmt::format("; without {} of {} runs, which did not record it", unrecorded, cost.points)
                          : "");
 }
 

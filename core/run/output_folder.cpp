@@ -146,13 +146,13 @@ FileLock OutputFolder::lock_point(const std::string& point) const {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   };
   if (point.empty() || !std::all_of(point.begin(), point.end(), allowed))
-    throw std::invalid_argument(fmt::format("\"{}\" is no name of a point", point));
+    throw std::invalid_argument(fmt::format("\"{}\" is no name of a run", point));
   std::optional<FileLock> lock;
   for (int tries = 0; tries < 10 && !lock; ++tries) {  // a process that reads the status holds the lock briefly
     if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     lock = FileLock::try_lock(lock_path(point));
   }
-  if (!lock) refuse(path_, fmt::format("is in use: another process runs the point \"{}\" there", point));
+  if (!lock) refuse(path_, fmt::format("is in use: another process executes the run \"{}\" there", point));
   for (const fs::path& folder : {path_, path_ / mark_folder}) remove_half_written(folder, point);
   return *std::move(lock);
 }

@@ -31,7 +31,7 @@ PointCheckpoints::PointCheckpoints(CheckpointStore store, RunControl& control, c
     if (store_.read_newest(read, complain) == 0) return;
   } catch (const CorruptFileError& error) {
     throw CorruptFileError(
-        fmt::format("{}; begin the point anew with --afresh, or choose another folder with --output", error.what()));
+        fmt::format("{}; begin this run anew with --afresh, or choose another folder with --output", error.what()));
   }
   const std::string difference = identity.difference_from(RunIdentity(found_->partial_result));
   if (!difference.empty())

@@ -73,7 +73,7 @@ std::string copy_preliminary_results(const OutputFolder& output, const OutputFol
   for (const auto& [point, identity] : points) any = copy_point(output, copy, point, identity, progress) || any;
   if (!any)
     throw Refused(
-        fmt::format("none of the points in {} has a result or a checkpoint yet; a checkpoint is "
+        fmt::format("none of the runs in {} has a result or a checkpoint yet; a checkpoint is "
                     "written every --checkpoint-interval\n{}",
                     output.path().string(), progress));
   return progress;

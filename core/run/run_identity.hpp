@@ -71,7 +71,7 @@ FoundResult find_result(const std::filesystem::path& file, const RunIdentity& id
 
 /// End of messages about files of another run.
 inline constexpr const char* begin_anew =
-    "give the options that it was made with, begin the point anew with --afresh, which deletes it, or choose another "
-    "folder with --output";
+    "choose another folder with --output, give the options that it was made with, or delete it and run again with "
+    "--afresh";
 
 }  // namespace flowslide

@@ -63,7 +63,7 @@ PointStatus status_of(const OutputFolder& output, const std::string& point, cons
 std::string status_table(const std::vector<PointStatus>& points) {
   std::size_t width = 5;
   for (const PointStatus& point : points) width = std::max(width, point.point.size());
-  std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "point", width, "state",
+  std::string text = fmt::format("{:{}}  {:9}  {:>5}  {:>12}  at its last checkpoint\n", "run", width, "state",
                                  "done", "kept before");
   for (const PointStatus& point : points) {
     text +=

@@ -25,6 +25,9 @@ void validate(const SlopeProperties& slope) {
   require_of_slope(slope.saturated_density > slope.water_density, "saturated density", slope.saturated_density,
                    fmt::format("more than the water density {} kg/m^3", slope.water_density),
                    "Give the density of soil and pore water together.");
+  require_of_slope(slope.dry_density <= slope.saturated_density, "dry density", slope.dry_density,
+                   fmt::format("at most the saturated density {} kg/m^3", slope.saturated_density),
+                   "Make it smaller, or the saturated density larger: saturated soil weighs more by its pore water.");
   require_positive("gravity", slope.gravity, "m/s^2", "Give its magnitude, such as 9.81.");
   require_positive("thickness", slope.thickness, "m", "Give the thickness of the whole sliding mass.");
   require_positive("liquefiable thickness", slope.liquefiable_thickness, "m", "Give the layer at the base.");

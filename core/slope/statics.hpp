@@ -21,7 +21,8 @@ struct SlopeProperties {
 };
 
 /// Throws std::invalid_argument if a property is not finite or out of its range: densities, gravity and thicknesses
-/// > 0, rho_sat > rho_w, 0 < h_s <= h, 0 <= h_w <= h, 0 <= theta < pi/2, k >= 0. theta = 0 is level ground.
+/// > 0, rho_sat > rho_w, rho_sat >= rho_d, 0 < h_s <= h, 0 <= h_w <= h, 0 <= theta < pi/2, k >= 0. theta = 0 is level
+/// ground.
 void validate(const SlopeProperties& slope);
 
 /// m = rho_sat h_w + rho_d (h - h_w), kg per m^2 of base (eq. 7). Throws as `validate`.

@@ -56,6 +56,14 @@ TEST(MarkdownTable, IsATableWhateverTheSentences) {
       "0.5 | published |\n");
 }
 
+TEST(MarkdownTable, EscapesWhatWouldBeATag) {
+  Claim claim{.id = "mean", .figure = "Fig. 10B", .sentence = "<tau> grows by <= 3 and < 4.", .metric = "mean",
+              .relation = Relation::less, .threshold = 5.0, .upper_threshold = 5.0, .unit = "1", .origin = "published",
+              .scales = {}};
+  EXPECT_CONTAINS(markdown_table(evaluate({claim}, {{"mean", 1.0}})),
+                  "| Fig. 10B | &lt;tau> grows by <= 3 and < 4. | `mean` < 5 | 1 | met |");
+}
+
 TEST(Json, HoldsEachVerdictWithNullForMissingNumbers) {
   const auto read = nlohmann::json::parse(json(verdicts()));
   ASSERT_EQ(read.size(), 3U);

@@ -256,5 +256,13 @@ TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
   EXPECT_CONTAINS(complaint([&] { read("quick", mine).text("title"); }), "user.toml or with --set title=VALUE");
 }
 
+TEST_F(LayeredConfiguration, TellsWhichValuesAreOfTheUser) {
+  const auto configuration = read("quick", "[sample]\nlayers = 3\n", {{"point.a.b", "1", "--set point.a.b=1"}});
+  for (const char* users : {"sample", "sample.layers", "point", "point.a.b"}) EXPECT_TRUE(configuration.is_users(users));
+  for (const char* others : {"sample.lay", "point.a.b.c", "none"}) EXPECT_FALSE(configuration.is_users(others));
+  EXPECT_FALSE(read("quick").is_users("sample"));
+  EXPECT_CONTAINS(configuration.place_of({"sample.layers"}), "user.toml:2:1: sample.layers = 3");
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -41,7 +41,7 @@ TEST_F(TextFile, OfAnotherEncodingIsRefused) {
 }
 
 TEST_F(TextFile, ThatIsNoRegularFileIsRefusedAtOnce) {
-  EXPECT_CONTAINS(complaint(folder_.path()), ": is a folder, but a text is needed");
+  EXPECT_CONTAINS(complaint(folder_.path()), ": is a folder, but a text is needed; give the path of the file");
   const auto pipe = folder_.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);  // no one writes to it: reading would wait for ever
   EXPECT_CONTAINS(complaint(pipe), "pipe: is a pipe, a socket or a device, but a text is needed");

@@ -65,7 +65,7 @@ done
 while IFS= read -r line; do
   if [[ $line != --- ]]; then printf '%s\n' "$line" >>text.toml; continue; fi
   texts=$((texts + 1))
-  expect 0 '# point ' "build/release/cases/study/study --config text.toml --dry-run"
+  expect 0 '# run ' "build/release/cases/study/study --config text.toml --dry-run"
   rm text.toml
 done < <(blocks toml)
 
@@ -75,6 +75,9 @@ expect 2 "'kept.toml' exists" './reproduce study --init kept.toml'
 [[ $(<kept.toml) == mine ]] || complain '--init has overwritten a file'
 expect 2 'study needs your file: ./reproduce study --config FILE' './reproduce study'
 expect 2 "there is no file 'none.toml'" './reproduce study --config none.toml'
+mkdir folder
+expect 2 "'folder' is a folder; give a TOML file" './reproduce study --config folder'
+expect 2 'folder: is a folder, but a TOML file is needed' 'build/release/cases/study/study --config folder'
 expect 2 'belongs to study' './reproduce fig13 --init new.toml'
 printf '[sweep]\nangel = ["3 deg"]\n' >wrong.toml
 expect 2 'did you mean "angle"? allowed: sample, or a key with one value of \[slope\] (angle, ' \

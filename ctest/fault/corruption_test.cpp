@@ -86,7 +86,7 @@ TEST_F(CorruptionProgram, RefusesWhatIsDamaged) {
   for (int i = 0; i < 5; ++i) {
     overwrite(result, corrupted(whole, random));
     EXPECT_EQ(run("out", {"--point", "RI", "--check"}), 2) << said_;
-    EXPECT_CONTAINS(said_, "delete it and run that point again");
+    EXPECT_CONTAINS(said_, "delete it and execute that run again");
     EXPECT_EQ(run("out", options), 2) << said_;
     EXPECT_CONTAINS(said_, "or begin it anew with --afresh");
   }
@@ -127,7 +127,7 @@ TEST_F(CorruptionProgram, GoesOnWithNoSampleButItsOwn) {
   }
   EXPECT_EQ(run("out", options), 2) << said_;
   EXPECT_CONTAINS(said_, "the checkpoint of alone does not fit: the state is that of another sample");
-  EXPECT_CONTAINS(said_, "begin the point anew with --afresh");
+  EXPECT_CONTAINS(said_, "begin this run anew with --afresh");
   EXPECT_EQ(run("out", {"--engine", "native", "--point", "alone", "--afresh"}), 0) << said_;
 }
 

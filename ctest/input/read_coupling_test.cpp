@@ -213,6 +213,21 @@ TEST(ReadCoupling, RefusesValuesOutOfRange) {
   EXPECT_CONTAINS(coupling_complaint("\"carry_remainder\"", "\"carry\""), "did you mean \"carry_remainder\"?");
 }
 
+TEST(ReadStrainPassing, BlamesTheOneOfNAccumAndMostStepsThatTheUserGives) {
+  const ScratchFolder scratch;
+  const auto complaint = [&](const std::string& users) {
+    Layers layers{.case_file = scratch.write("case.toml", text), .scale = {}, .user_file = {}, .overrides = {}};
+    layers.user_file = scratch.write("mine.toml", "[coupling]\npassing = \"carry_remainder\"\n" + users);
+    const Configuration configuration(layers);
+    return message_of<ConfigurationError>([&] { read_strain_passing(configuration, "coupling", nullptr); });
+  };
+  EXPECT_CONTAINS(complaint("n_accum = 200000\n"),
+                  "mine.toml:3:11: coupling.n_accum = 200000 is above coupling.most_steps = 100000, the largest number of "
+                  "local steps of one exchange; choose n_accum from 1 to 100000");
+  EXPECT_CONTAINS(complaint("n_accum = 300\nmost_steps = 200\n"), "n_accum = 300 is above coupling.most_steps = 200");
+  EXPECT_CONTAINS(complaint("most_steps = 9\n"), "mine.toml:3:14: coupling.most_steps = 9 is not allowed");
+}
+
 TEST(ReadCoupling, RefusesATimeStepBeyondTheLimitOfStabilityUnlessAllowed) {
   // 2/omega: omega = sqrt(15e6/(0.2 * 3100)) = 155.5 /s, 12.9 ms.
   EXPECT_NO_THROW(coupling_of(with("time_step = \"1e-4 s\"", "time_step = \"12.8 ms\"")));

@@ -157,5 +157,13 @@ TEST(CountText, KeepsThreeDigits) {
   EXPECT_EQ(count_text(4.56e6), "4.56M");
 }
 
+TEST(PredictionText, IsADurationThatIsNeverZero) {
+  EXPECT_EQ(prediction_text(0.0), "below 1 s");
+  EXPECT_EQ(prediction_text(0.49), "below 1 s");
+  EXPECT_EQ(prediction_text(0.6), "1 s");
+  EXPECT_EQ(prediction_text(185.0), duration_text(185.0));
+  EXPECT_EQ(prediction_text(-1.0), "unknown");
+}
+
 }  // namespace
 }  // namespace flowslide

@@ -207,7 +207,7 @@ TEST_F(CaseProgramTest, RefusesAPointOfAnotherConfiguration) {
   EXPECT_CONTAINS(message,
                   (out() / "a.h5").string() + " is the result of another run (count = 3 there, 4 now), and is ");
   EXPECT_CONTAINS(message,
-                  "not overwritten; give the options that it was made with, begin the point anew with --afresh");
+                  "not overwritten; choose another folder with --output, give the options that it was made with, or");
   EXPECT_EQ(content_of(out() / "a.h5"), before);
 }
 
@@ -218,7 +218,7 @@ TEST_F(CaseProgramTest, RefusesADamagedResultBeforeARunIsSpentOnIt) {
   std::ofstream(out() / "a.h5", std::ios::binary) << bytes;
   const std::string message = complaint({"--point", "a"});
   EXPECT_CONTAINS(message, (out() / "a.h5").string());
-  EXPECT_CONTAINS(message, "delete it and run that point again");
+  EXPECT_CONTAINS(message, "delete it and execute that run again");
   fs::remove(out() / "a.h5");
   EXPECT_EQ(run({"--point", "a"}).ran, Names{"a"});
 }
@@ -258,7 +258,7 @@ TEST_F(CaseProgramTest, JudgesNoResultsOfAnotherConfiguration) {
   run({});
   const std::string message = complaint({"--check", "--set", "count=4"});
   EXPECT_CONTAINS(message,
-                  (out() / "a.h5").string() + " is the result of another run (count = 3 there, 4 now); give the");
+                  (out() / "a.h5").string() + " is the result of another run (count = 3 there, 4 now); choose another");
   // One that was not asked for is left out, with a word.
   run({"--point", "a", "--set", "count=4", "--afresh"});
   const Outcome of_a = run({"--check", "--point", "a", "--set", "count=4"});
@@ -337,8 +337,8 @@ TEST_F(CaseProgramTest, PlansAndWritesNothing) {
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # case/case.toml:5\n", "count = 3"));
   EXPECT_CONTAINS(outcome.output, fmt::format("{:<60} # --set size=1 cm\n", "size = \"0.01 m\""));
   EXPECT_CONTAINS(outcome.output, "\n# changed: size = \"1 cm\", not \"2 mm\"\n");
-  EXPECT_CONTAINS(outcome.output, "# point a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");
-  EXPECT_CONTAINS_NOT(outcome.output, "point b");
+  EXPECT_CONTAINS(outcome.output, "# run a: the \"first\"; predicted 1 min 01 s on one core\nplan of a on 1\n");
+  EXPECT_CONTAINS_NOT(outcome.output, "run b");
   EXPECT_TRUE(outcome.ran.empty());
   EXPECT_TRUE(nothing_written());
 }

@@ -24,7 +24,7 @@ TEST(FileNames, AreAllDifferent) {
 TEST(FileNames, RefuseAPointAndAReplicateOfAnother) {
   const std::string message = complaint({point("RD_ramp"), point("RD_ramp_r2"), point("RD_ramp_r2")}, {});
   EXPECT_CONTAINS(message, "the name \"RD_ramp_r2\" is taken twice");
-  EXPECT_CONTAINS(message, "replicate N of a point is named <name>_rN");
+  EXPECT_CONTAINS(message, "replicate N of a run is named <name>_rN");
 }
 
 TEST(FileNames, RefuseAPointAndATable) {

@@ -80,9 +80,23 @@ TEST(PulseRunout, SaysOfAnyLoadingWhatItCan) {
   }
 }
 
+TEST(PulseRunout, TakesTheMeanOverAllOfARunThatIsShorterThanAWindow) {
+  // The velocity grows from 0 to 0.05 m/s.
+  EXPECT_NEAR(metrics_of(0.05, 2.0, Stop::end_time).at("largest_velocity"), 0.025, rounding);
+  EXPECT_NEAR(metrics_of(0.1, 2.0, Stop::end_time).at("largest_velocity"), 0.05, rounding);
+  SlidePoint point;
+  const auto description = [&](double end) {
+    const Series series = slide(end), profiles;
+    const RunMeasures measures = measures_of_rows(series);
+    return pulse_runout({point, series, measures, profiles, Stop::end_time}).at(2).long_name;
+  };
+  EXPECT_EQ(description(0.2), "largest sliding velocity, as a mean over 0.1 s");
+  EXPECT_EQ(description(0.05),
+            "largest sliding velocity, as a mean over all of the run, which is shorter than 0.1 s");
+}
+
 TEST(PulseRunout, LeavesOutWhatAShortRecordDoesNotHave) {
   const auto metrics = metrics_of(0.05, 2.0, Stop::end_time);
-  EXPECT_TRUE(std::isnan(metrics.at("largest_velocity")));
   EXPECT_TRUE(std::isnan(metrics.at("velocity_after_pulse")));
   EXPECT_NEAR(metrics.at("lowest_normal_stress"), 1000.0, 1e-9);
   EXPECT_EQ(metrics.at("peak_shear_stress"), 3000.0);

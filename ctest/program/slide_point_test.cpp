@@ -195,9 +195,9 @@ TEST(SlidePoint, RefusesWhatItsKeysMakeTogetherBeforeAnythingRuns) {
     });
   };
   EXPECT_CONTAINS(complaint("scheme = \"RD\"\nloading.duration = \"0.9 ms\"\n"),
-                  "point bad: duration of the pulse in dt_G is 9");
+                  "run bad: duration of the pulse in dt_G is 9");
   EXPECT_CONTAINS(complaint("final_strain = 1\nshear_rate = \"1e-14 1/s\"\nrows = 10\n"),
-                  "point bad: a strain of 1 at the rate 1e-14 1/s");
+                  "run bad: a strain of 1 at the rate 1e-14 1/s");
 }
 
 TEST(SlidePoint, NeedsASampleThatIsPreparedToTheStressesOfItsSlope) {

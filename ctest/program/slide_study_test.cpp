@@ -38,8 +38,18 @@ TEST_F(SlideProgram, JudgesNoStudyWithOtherSettings) {
   EXPECT_EQ(nlohmann::json::parse(text_).at("changed"), nlohmann::json::array({changed}));
 }
 
+TEST_F(SlideProgram, JudgesNoSampleWithoutGrains) {
+  ASSERT_EQ(run({"--engine", "elastic"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "not evaluated  Fig. 12  all_there  > 0       2");
+  EXPECT_CONTAINS(text_, "the claims are about samples of grains, and engine = \"elastic\" has no grains");
+  const auto claim = nlohmann::json::parse(content_of(output() / "claims.json")).at(0);
+  EXPECT_EQ(claim.at("measured"), 2.0);
+  EXPECT_TRUE(claim.at("met").is_null());
+  EXPECT_FALSE(fs::exists(output() / "changes.txt"));  // the settings are those of the case
+}
+
 TEST_F(SlideProgram, JudgesAStudyThatChoosesAnotherDraw) {
-  ASSERT_EQ(run({"--seed", "8", "--replicates", "1", "--set", "rows.most_rows=20"}), 0) << error_;
+  ASSERT_EQ(run({"--engine", "native", "--seed", "8", "--replicates", "1", "--set", "rows.most_rows=20"}), 0) << error_;
   EXPECT_CONTAINS(text_, "met  Fig. 12");
   EXPECT_FALSE(fs::exists(output() / "changes.txt"));
 }

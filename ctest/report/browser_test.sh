@@ -16,7 +16,7 @@ folder=$results/fig08_trigger/quick
 code=0
 "$program" --engine elastic --point RD_ramp --output "$folder" 2>"$room/run.log" || { cat "$room/run.log"; exit 1; }
 "$program" --engine elastic --point RD_ramp --output "$folder" --check >/dev/null || code=$?
-((code == 4)) || { echo "--check of the elastic sample ended with $code, expected 4: no grains, no liquefaction"; exit 1; }
+((code == 0)) || { echo "--check of the elastic sample ended with $code, expected 0: no claim is evaluated"; exit 1; }
 figures=0
 while read -r name the_case _; do
   [[ $name != '#'* && -e $project/plots/gallery/quick/$name.png ]] || continue

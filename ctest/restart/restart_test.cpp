@@ -167,7 +167,7 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
 
   // A second run of the same point is refused, and the first run is not disturbed.
   EXPECT_EQ(run("out", options), 2);
-  EXPECT_CONTAINS(said_, "another process runs the point \"RD\" there");
+  EXPECT_CONTAINS(said_, "another process executes the run \"RD\" there");
   process->signal(SIGTERM);
   EXPECT_EQ(process->wait(), 75);
   ASSERT_EQ(run("out", status), 0);

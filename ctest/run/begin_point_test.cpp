@@ -48,7 +48,7 @@ TEST_F(BeginPoint, NotesItsIdentityAndGoesOnAsItWas) {
 
 TEST_F(BeginPoint, LetsOneProcessRunAPoint) {
   const BegunPoint held = begin_point(output_, "loose", identity(), false);
-  EXPECT_CONTAINS(complaint(identity()), "is in use: another process runs the point \"loose\" there");
+  EXPECT_CONTAINS(complaint(identity()), "is in use: another process executes the run \"loose\" there");
   EXPECT_NO_THROW(begin_point(output_, "dense", identity(), false));
 }
 
@@ -74,7 +74,7 @@ TEST_F(BeginPoint, ReplacesAResultOfAnotherRunOnlyWhenAsked) {
 TEST_F(BeginPoint, ReplacesADamagedResultOnlyWhenAsked) {
   overwrite(output_.file("loose.h5"), "torn");
   EXPECT_CONTAINS(message_of<CorruptFileError>([&] { complete(identity()); }),
-                  "delete it and run that point again, or begin it anew with --afresh");
+                  "delete it and execute that run again, or begin it anew with --afresh");
   EXPECT_TRUE(there("loose.h5"));
   EXPECT_FALSE(complete(identity(), true));
   EXPECT_FALSE(there("loose.h5"));

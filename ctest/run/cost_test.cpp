@@ -23,8 +23,7 @@ TEST(Cost, IsSummedOverThePointsThatSayIt) {
   EXPECT_EQ(cost.predicted_seconds, 660.0);
   EXPECT_EQ(cost.processor_seconds, 600.0);
   EXPECT_EQ(cost_text(cost),
-            "cost: 10 min 00 s of processor time, 11 min 00 s predicted; without 1 of 3 points, which did not record "
-            "it");
+            "cost: 10 min 00 s of processor time, 11 min 00 s predicted; without 1 of 3 runs, which did not record it");
   EXPECT_EQ(cost_json(cost),
             "{\"points\":3,\"recorded\":2,\"predicted_seconds\":660.0,\"processor_seconds\":600.0}\n");
 }

@@ -131,7 +131,7 @@ TEST(OutputFolder, LetsOneProcessRunAPoint) {
   {
     const FileLock held = folder.lock_point("loose");
     EXPECT_CONTAINS(message_of<Refused>([&] { const FileLock lock = folder.lock_point("loose"); }),
-                    "is in use: another process runs the point \"loose\" there");
+                    "is in use: another process executes the run \"loose\" there");
     EXPECT_NO_THROW({ const FileLock lock = folder.lock_point("dense"); });
   }
   EXPECT_NO_THROW({ const FileLock lock = folder.lock_point("loose"); });

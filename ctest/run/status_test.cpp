@@ -109,7 +109,7 @@ TEST_F(StatusTest, IsPrintedForPeopleAndPrograms) {
   std::vector<PointStatus> points{{"RD", "running", "t = 0.5 s", 0.42, 12.0, ""},
                                   {"RI_long", "not begun", "", 0, 0, ""}};
   EXPECT_EQ(status_table(points),
-            "point    state       done   kept before  at its last checkpoint\n"
+            "run      state       done   kept before  at its last checkpoint\n"
             "RD       running     42 %          12 s  t = 0.5 s\n"
             "RI_long  not begun    0 %             -  -\n");
   const auto read = nlohmann::json::parse(status_json(points)).at("points");

@@ -86,6 +86,7 @@ TEST(Statics, RefusesPropertiesOutOfRange) {
   expect_refused(&SlopeProperties::saturated_density, -1.0, "saturated density");
   expect_refused(&SlopeProperties::saturated_density, 1000.0, "saturated density");
   expect_refused(&SlopeProperties::dry_density, 0.0, "dry density");
+  expect_refused(&SlopeProperties::dry_density, 2001.0, "at most the saturated density 2000 kg/m^3");
   expect_refused(&SlopeProperties::water_density, nan, "water density");
   expect_refused(&SlopeProperties::gravity, 0.0, "gravity");
   expect_refused(&SlopeProperties::thickness, std::numeric_limits<double>::infinity(), "thickness");

@@ -54,6 +54,11 @@ draw 'RD.dat' "name = \"stress\"; $(drawn RD.dat '(column(name)):(column(name))'
 expect 0 $' 2  2  i\n 5  5  i\n 8  8  i'
 draw 'peaks.dat' "$(drawn peaks.dat '(strcol("slide") eq "RI" ? column("time") : NaN):(1)')"
 expect 0 $' 0.5  1  i'
+# Distances of a slope that stands are in mm, and their tics are few.
+draw 'RD.dat' 'print in_milli(0.0001), in_milli(2.0), in_milli(NaN), " ", milli_unit(0.0001, "m/s"), " ", milli_unit(2.0, "m")'
+expect 0 '1000.0 1 1   mm/s   m'
+draw 'RD.dat' 'print few_tics(0.0996), few_tics(0.12), few_tics(10.0), few_tics(6.1)'
+expect 0 '0.02 0.02 2 2'
 draw 'peaks.dat' 'print first_of("peaks.dat", "time"), first_where("peaks.dat", "time", "slide", "RI")'
 expect 0 '0.25 0.5'
 draw 'peaks.dat' 'print first_where("peaks.dat", "time", "slide", "other"), " ", values_of("peaks.dat", "slide")'

@@ -26,7 +26,7 @@ while (($#)); do
   case $1 in
     --point) point+="$2 "; shift ;;
     --output) folder=$2; shift ;;
-    --list|--check) action=${1#--} ;;
+    --list|--check|--status) action=${1#--} ;;
   esac
   shift
 done
@@ -34,6 +34,7 @@ case $action in
   list) echo '{"points": [{"name": "a", "figures": ["3"], "predicted_seconds": 1.5},
     {"name": "b", "figures": ["2", "3"], "predicted_seconds": 2e1},
     {"predicted_seconds": 7, "figures": ["4"], "name": "c"}]}' ;;
+  status) cat "$folder/.flowslide/status" ;;
   check) echo "claims of ${point}checked"; exit "${CHECK_CODE:-0}" ;;
   run)
     mkdir -p "$folder"
@@ -107,6 +108,17 @@ GNUPLOT_SAYS='warning: something else' expect 0 'warning: something else' fig04
 CHECK_CODE=4 expect 4 'figure: .*fig03.png' fig03 --output "$room/claims"
 FAIL_POINT=b expect 3 'does not hold its stress' fig03 --output "$room/failed"
 grep -q 'failed/fig03' "$room/calls" && { echo 'a figure was drawn from a failed run'; failures=$((failures + 1)); }
+
+# Results of another configuration: one message for all runs, before the first of them.
+other="$room/other"
+mkdir -p "$other/.flowslide"
+echo fig03_undrained >"$other/.flowslide/case"
+echo '{"points": [{"name": "a", "state": "complete", "place": ""},
+  {"name": "b", "state": "outdated", "place": "slope.angle = 4 there, 5 now"}]}' >"$other/.flowslide/status"
+expect 2 '1 of 2 runs in .*/other were made with other settings.*(b: slope.angle = 4 there, 5 now); choose another' \
+  fig03 --output "$other"
+[[ ! -e $other/run ]] || { echo 'a run was begun beside results of another configuration'; failures=$((failures + 1)); }
+expect 0 'all runs done (below 1 s)\|all runs done ([1-9] s)' fig03 --output "$other" -- --afresh
 
 # An interrupt reaches every point, and reproduce ends with 130 only after them.
 SLOW=yes env --default-signal=INT "$tree/reproduce" fig03 --jobs 2 --scale paper --seed 1 >"$room/log" 2>&1 &

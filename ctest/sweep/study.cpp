@@ -29,17 +29,24 @@ int run(const Words& words, const fs::path& room, std::string& said) {
   return code;
 }
 
+bool is_closed_form(const std::string& engine) { return engine == "elastic" || engine == "critical_state"; }
+
 /// The last words of a program.
 std::string end_of(const std::string& said) {
   constexpr std::size_t most = 600;
   return said.size() > most ? "..." + said.substr(said.size() - most) : said;
 }
 
-/// The part of a dry run that shows the settings.
-std::string configuration_in(const std::string& dry_run) { return dry_run.substr(0, dry_run.find("\n# point ")); }
+/// What a dry run prints, without the remarks before it.
+std::string plan_in(const std::string& said) {
+  return said.substr(std::min(said.find("# resolved configuration"), said.size()));
+}
+
+/// The part of a plan that shows the settings.
+std::string configuration_in(const std::string& plan) { return plan.substr(0, plan.find("\n# run ")); }
 
 std::vector<std::string> points_in(const std::string& dry_run) {
-  constexpr std::string_view start = "\n# point ";
+  constexpr std::string_view start = "\n# run ";
   std::vector<std::string> points;
   for (std::size_t at = dry_run.find(start); at != std::string::npos; at = dry_run.find(start, at + 1))
     points.push_back(dry_run.substr(at + start.size(), dry_run.find(':', at) - at - start.size()));
@@ -52,8 +59,8 @@ class Study {
   Study(const CaseUnderTest& of, Dice dice, fs::path room)
       : case_(of), dice_(dice), room_(std::move(room)), output_(room_ / "out put") {
     fs::create_directories(room_);
-    engine_ = dice_.one_of(std::vector<std::string>{"elastic", "critical_state"});
-    if (dice_.one_in(20)) return;  // the whole case
+    engine_ = dice_.one_of(case_.engines);
+    if (case_.has_sweeps || dice_.one_in(20)) return;  // the whole case
     for (std::size_t i = 0, count = 1 + dice_.below(2); i < count; ++i) chosen_.insert(dice_.one_of(case_.points));
   }
 
@@ -102,12 +109,25 @@ class Study {
   }
   void draw_valid_changes() {
     do {
-      changes_ = random_changes(case_.settings, dice_);
+      changes_ = own_changes();
       table_.clear();
       if (dice_.one_in(4)) use_a_table();
     } while (!valid(changes_));
-    plan_ = said_;
+    plan_ = plan_in(said_);
     points_ = points_in(plan_);
+  }
+  /// Changes without a table: of a study of the user's own, its sweep, and on grains no others.
+  std::vector<Setting> own_changes() {
+    if (!case_.has_sweeps) return random_changes(case_.settings, dice_);
+    const bool of_grains = !is_closed_form(engine_);
+    std::vector<Setting> changes = random_sweep(of_grains, engine_, dice_);
+    if (of_grains) return changes;
+    for (const Setting& change : random_changes(case_.settings, dice_))
+      if (!has_key(changes, change.key)) changes.push_back(change);
+    return changes;
+  }
+  static bool has_key(const std::vector<Setting>& settings, const std::string& key) {
+    return std::ranges::find(settings, key, &Setting::key) != settings.end();
   }
   void use_a_table() {
     const fs::path file = room_ / "loading table.dat";
@@ -129,6 +149,7 @@ class Study {
     }
     expect_judged(code);
     for (const std::string& point : points_) check_result(point);
+    check_sweep();
     return true;
   }
   void check_result(const std::string& point) {
@@ -137,10 +158,28 @@ class Study {
     expect(there.series.rows() > 0, "no rows in the result of " + point);
     const auto stored = settings_in(there.configuration), planned = settings_in(plan_);
     for (const Setting& setting : planned) {
+      // A run of a study has only the keys that its own scheme and value of the sweep read.
+      if (case_.has_sweeps && !has_key(stored, setting.key)) continue;
       const auto same = [&](const Setting& other) { return other.text() == setting.text(); };
       expect(std::any_of(stored.begin(), stored.end(), same), "the result lacks " + setting.text());
     }
     expect(fs::exists(output_ / (point + ".dat")), "no table of " + point);
+  }
+  /// The values of a sweep are different runs, and their replicates have one configuration. Each planned setting is that
+  /// of a run.
+  void check_sweep() {
+    if (!case_.has_sweeps) return;
+    std::set<std::string> names, configurations;
+    std::vector<Setting> stored;
+    for (const std::string& point : points_) {
+      names.insert(point.ends_with("_r2") ? point.substr(0, point.size() - 3) : point);
+      const std::string configuration = read_result(result(point)).configuration;
+      if (!configurations.insert(configuration).second) continue;
+      for (const Setting& setting : settings_in(configuration)) stored.push_back(setting);
+    }
+    expect(names.size() == configurations.size(), "the values of the sweep are not one run each");
+    for (const Setting& setting : settings_in(plan_))
+      expect(is_of_all_runs(setting.key) || has_key(stored, setting.key), "no run has " + setting.text());
   }
   void repeat_it() {
     const std::string before = content_of_file(result(points_.front()));
@@ -162,12 +201,12 @@ class Study {
     do {
       others = changes_;
       const Setting& setting = dice_.one_of(case_.settings);
-      const auto same_key = [&](const Setting& change) { return change.key == setting.key; };
-      if (std::any_of(others.begin(), others.end(), same_key)) continue;
+      if (has_key(others, setting.key) || (case_.has_sweeps && is_of_all_runs(setting.key))) continue;
       if (const std::string value = changed_value(setting.value, dice_); !value.empty() && value != setting.value)
         others.push_back({setting.key, value});
       // A key that this engine does not read leaves the plan unchanged.
-    } while (others.size() == changes_.size() || !valid(others) || configuration_in(said_) == configuration_in(plan_));
+    } while (others.size() == changes_.size() || !valid(others) ||
+             configuration_in(plan_in(said_)) == configuration_in(plan_));
     refuse(others, others.back().text());
     expect(content_of_file(result(points_.front())) == before, "a refused run changed the result");
   }
@@ -211,13 +250,17 @@ class Study {
 }  // namespace
 
 CaseUnderTest case_in(const std::string& name, const fs::path& build, const fs::path& source, const fs::path& room) {
-  CaseUnderTest found{name, build / "cases" / name / name, {}, {}, {}};
+  CaseUnderTest found{name, build / "cases" / name / name, {"elastic", "critical_state"}, name == "study",
+                      {},   {},                            {}};
   std::string said;
   if (run({found.program, "--engine", "elastic", "--list"}, room, said) != 0) throw StudyFailure(name + ": " + said);
   for (std::size_t at = said.find('\n') + 1; at < said.size(); at = said.find('\n', at) + 1)
     found.points.push_back(said.substr(at, said.find('\t', at) - at));
   if (run({found.program, "--engine", "elastic", "--dry-run"}, room, said) != 0) throw StudyFailure(name + ": " + said);
-  found.settings = settings_in(said);
+  found.settings = settings_in(plan_in(said));
+  if (found.has_sweeps)
+    for (const char* engine : {"native", "native-mixed", "liggghts", "liggghts-stock"})
+      if (run({found.program, "--engine", engine, "--dry-run"}, room, said) == 0) found.engines.emplace_back(engine);
   std::ifstream table(source / "plots" / "figures.txt");
   for (std::string line; std::getline(table, line);) {
     std::istringstream words(line);

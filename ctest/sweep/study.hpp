@@ -19,12 +19,15 @@ struct StudyFailure : std::runtime_error {
 struct CaseUnderTest {
   std::string name;
   std::filesystem::path program;
+  std::vector<std::string> engines;  ///< of its studies
+  bool has_sweeps;                   ///< the case of the user's own studies
   std::vector<std::string> points;
   std::vector<Setting> settings;
   std::vector<std::pair<std::string, std::filesystem::path>> figures;  ///< name and gnuplot script
 };
 
-/// Asks the program of a case for its points and its configuration. Throws StudyFailure.
+/// Asks the program of a case for its points and its configuration. The studies of the case `study` run on all engines
+/// of the build, those of others on closed-form samples. Throws StudyFailure.
 CaseUnderTest case_in(const std::string& name, const std::filesystem::path& build, const std::filesystem::path& source,
                       const std::filesystem::path& room);
 

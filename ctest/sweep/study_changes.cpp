@@ -55,7 +55,7 @@ std::vector<Setting> settings_in(std::string_view dry_run) {
   while (!dry_run.empty()) {
     const std::string line(dry_run.substr(0, dry_run.find('\n')));
     dry_run.remove_prefix(std::min(line.size() + 1, dry_run.size()));
-    if (line.starts_with("# point ")) break;  // the rest is no configuration
+    if (line.starts_with("# run ")) break;  // the rest is no configuration
     const std::size_t equals = line.find(" = ");
     if (line.starts_with('#') || equals == std::string::npos) continue;
     std::string value = line.substr(equals + 3);
@@ -93,6 +93,37 @@ std::vector<Setting> random_changes(const std::vector<Setting>& settings, Dice& 
       changes.push_back({setting.key, value});
   }
   return changes;
+}
+
+bool is_of_all_runs(const std::string& key) {
+  return key == "replicates" || key.starts_with("sweep.") || key.starts_with("study.");
+}
+
+std::vector<Setting> random_sweep(bool of_grains, const std::string& engine, Dice& dice) {
+  std::vector<Setting> settings{{"stop.end_time", of_grains ? "\"10 ms\"" : "\"0.2 s\""},
+                                {"replicates", dice.one_in(3) ? "2" : "1"},
+                                {"study.scheme", dice.one_of(std::vector<std::string>{R"(["RD"])", R"(["RI"])",
+                                                                                     R"(["RI", "RD"])"})}};
+  std::vector<Setting> sweeps{{"sweep.amplitude", R"("1 kPa", "4 kPa", "2500 Pa")"},
+                              {"sweep.n_accum", "5, 40, 20"},
+                              {"sweep.coupling.time_step", R"("5e-5 s", "2e-4 s", "1e-4 s")"},
+                              {"sweep.hydraulic_conductivity", R"("0 m/s", "1e-4 m/s", "1e-6 m/s")"}};
+  if (of_grains) {
+    settings.push_back({"packing.lattice", "[5, 5, 6]"});
+    settings.push_back({"sample.e0_790.tolerance", "0.3"});
+    settings.push_back({"preparation.allow_uneven", "true"});
+    sweeps.push_back({"sweep.local_time_step", R"("7e-6 s", "5e-6 s", "6e-6 s")"});
+  } else {
+    sweeps.push_back({"sweep.angle", R"("4 deg", "3 deg", "4.5 deg")"});
+    sweeps.push_back(engine == "elastic" ? Setting{"sweep.elastic.shear_modulus", R"("9 MPa", "15 MPa", "20 MPa")"}
+                                         : Setting{"sweep.void_ratio", "0.8, 0.72, 0.76"});
+  }
+  if (dice.one_in(5)) return settings;
+  Setting sweep = dice.one_of(sweeps);
+  std::vector<std::string> values = members_of("[" + sweep.value + "]");
+  values.resize(1 + dice.below(values.size()));
+  settings.push_back({sweep.key, fmt::format("[{}]", fmt::join(values, ", "))});
+  return settings;
 }
 
 }  // namespace flowslide

@@ -93,7 +93,7 @@ TEST_F(UndrainedProgram, PlansAndWritesNothing) {
   EXPECT_CONTAINS(plan.output, "point.e0_790.shear_rate = \"0.25 1/s\" ");
   EXPECT_CONTAINS(plan.output, "seed 5\n");
   EXPECT_CONTAINS(plan.output, "# 200000 steps of 1e-05 s, 101 rows\n");  // 0.5 / (0.25 x 1e-5)
-  EXPECT_CONTAINS_NOT(plan.output, "# point e0_771");
+  EXPECT_CONTAINS_NOT(plan.output, "# run e0_771");
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
 }
 

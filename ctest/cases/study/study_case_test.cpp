@@ -114,7 +114,13 @@ TEST_F(StudyProgram, RefusesWhatCannotBeSwept) {
   EXPECT_CONTAINS(refused("[sweep]\nangle = ['3 deg', '95 deg']\n"), "mine.toml:5:19: slope.angle = '95 deg'");
   EXPECT_CONTAINS(refused("[sweep]\nangle = ['3 deg', '4 kPa']\n"),
                   "mine.toml:5:19: slope.angle: \"4 kPa\" is a stress");
-  EXPECT_CONTAINS(refused("[slope]\nangle = '2 deg'\n" + angles), "has a nearer key, such as \"sweep.angle\"");
+  const std::string both = refused("[slope]\nangle = '2 deg'\n" + angles);
+  EXPECT_CONTAINS(both, "mine.toml:5:9: slope.angle = '2 deg' is fixed here, but it is also swept (");
+  EXPECT_CONTAINS(both, "mine.toml:7:1: sweep.angle = ['3 deg', '4 deg']); remove \"slope.angle\" to sweep it, or "
+                        "\"sweep.angle\" to keep it fixed");
+  EXPECT_CONTAINS(refused("[scheme.RI]\nsmallest_rate = '2 1/s'\n[study]\nscheme = 'RI'\n[sweep]\nsmallest_rate = "
+                          "['1 1/s']\n"),
+                  "scheme.RI.smallest_rate = '2 1/s' is fixed here");
   EXPECT_CONTAINS(refused("[sweep]\nsmallest_rate = ['1 1/s']\n"), "has no effect: rate = \"global\" does not use it");
   EXPECT_CONTAINS(refused("[point.mine]\nsample = 'e0_790'\n"), "a study has no [point.mine]");
   EXPECT_CONTAINS(refused("[study]\nscheme = ['RD', 'RD']\n"), "gives \"RD\" twice");
@@ -124,6 +130,33 @@ TEST_F(StudyProgram, RefusesWhatCannotBeSwept) {
   EXPECT_EQ(run("[sweep]\nsample = ['e0_790', 'other']\n", {"--engine", "native"}), 2);
   EXPECT_CONTAINS(error_, "point.RD_other.sample = 'other' is not allowed: it must be \"e0_790\"");
   EXPECT_CONTAINS(refused("[slopes]\nangle = '2 deg'\n"), "unknown table \"slopes\"");
+}
+
+TEST_F(StudyProgram, SaysThatASweepChangedNoResult) {
+  // Without a change of the load, the slope stands: nothing asks for the stiffness.
+  ASSERT_EQ(run("[loading]\nhistory = 'constant'\n[sweep]\nelastic.shear_modulus = ['3 MPa', '6 MPa']\n",
+                {"--engine", "elastic"}), 0) << error_;
+  EXPECT_CONTAINS(error_, "sweep.elastic.shear_modulus has no effect: the runs of RD have the same result for all");
+  fs::remove_all(output());
+  ASSERT_EQ(run("[sweep]\nelastic.shear_modulus = ['3 MPa', '6 MPa']\n", {"--engine", "elastic"}), 0) << error_;
+  EXPECT_CONTAINS_NOT(error_, "has no effect");
+}
+
+TEST_F(StudyProgram, SaysWhichValuesAreNotUsed) {
+  ASSERT_EQ(run("[elastic]\nvoid_ratio = 0.8\n" + angles, {"--list", "--json"}), 0) << error_;
+  EXPECT_CONTAINS(error_, "elastic.void_ratio = 0.8: not used: engine = \"critical_state\" does not read [elastic]");
+  ASSERT_EQ(run("[elastic]\nvoid_ratio = 0.8\n" + angles, {"--point", "RD_3deg"}), 0);
+  EXPECT_CONTAINS_NOT(error_, "not used");
+}
+
+TEST_F(StudyProgram, HasTheLargestVelocityOfAShortRun) {
+  ASSERT_EQ(run("[sweep]\namplitude = ['2 kPa', '3 kPa']\n", {"--set", "stop.end_time=0.05 s"}), 0) << error_;
+  const Series sweep = read_table(output() / "sweep.dat").series;
+  const Column& largest = sweep.column("RD_largest_velocity_median");
+  ASSERT_EQ(largest.values.size(), 2U);
+  EXPECT_GT(largest.values.front(), 0.0);
+  EXPECT_GT(largest.values.back(), largest.values.front());
+  EXPECT_CONTAINS(largest.long_name, "over all of the run, which is shorter than 0.1 s");
 }
 
 TEST_F(StudyProgram, ListsASampleForEachRecipe) {
@@ -144,7 +177,7 @@ TEST_F(StudyProgram, PlansASweep) {
   EXPECT_CONTAINS(text_, "sweep.angle = [");
   EXPECT_CONTAINS(text_, "slope.thickness = \"2.0 m\"");
   EXPECT_CONTAINS_NOT(text_, "slope.angle = ");
-  EXPECT_CONTAINS(text_, "# point RD_3deg: ");
+  EXPECT_CONTAINS(text_, "# run RD_3deg: ");
   EXPECT_FALSE(fs::exists(output()));
 }
 

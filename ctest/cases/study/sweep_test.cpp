@@ -21,6 +21,8 @@ time_step = "7e-6 s"
 drag_stages = [1, 2]
 [critical_state]
 void_ratio = 0.79
+[elastic]
+void_ratio = 0.79
 [sample.mine]
 like = "loose"
 drag = "0.1 kg/s"
@@ -77,7 +79,7 @@ TEST(Sweep, FindsTheTableOfAKey) {
 
 TEST(Sweep, RefusesOtherKeysAndNamesTheAllowedOnes) {
   const std::string message = refusal_of("angel = ['3 deg']\n");
-  EXPECT_CONTAINS(message, "mine.toml:21:9: sweep.angel = ['3 deg'] cannot be swept; did you mean \"angle\"? allowed: "
+  EXPECT_CONTAINS(message, "mine.toml:23:9: sweep.angel = ['3 deg'] cannot be swept; did you mean \"angle\"? allowed: "
                            "sample, or a key with one value of [slope] (angle), [loading] (");
   EXPECT_CONTAINS(message, "[sample] (drag, void_ratio)");
   EXPECT_CONTAINS_NOT(message, "drag_stages");
@@ -89,6 +91,20 @@ TEST(Sweep, RefusesOtherKeysAndNamesTheAllowedOnes) {
                   "may mean a key of [coupling] or [preparation]; write sweep.coupling.time_step or "
                   "sweep.preparation.time_step");
   EXPECT_CONTAINS(refusal_of("angle = ['3 deg']\namplitude = ['1 kPa']\n"), "is the second key of [sweep]");
+}
+
+TEST(Sweep, RefusesAKeyThatHasNoEffectAndSaysWhy) {
+  EXPECT_CONTAINS(refusal_of("void_ratio = [0.7, 0.8]\n", "elastic"),
+                  "sweep.void_ratio = [0.7, 0.8] has no effect: the stresses of the elastic sample do not depend on it; "
+                  "sweep another key");
+  EXPECT_CONTAINS(refusal_of("elastic.shear_modulus = ['3 MPa']\n", "critical_state"),
+                  "has no effect: engine = \"critical_state\" does not use [elastic], engine = \"elastic\" does; choose "
+                  "that engine, or sweep another key");
+  EXPECT_CONTAINS(refusal_of("shear_modulus = ['3 MPa']\n"), "engine = \"native\" does not use [elastic]");
+  EXPECT_CONTAINS(refusal_of("critical_friction = [0.5]\n"), "does not use [critical_state]");
+  EXPECT_CONTAINS(refusal_of("coupling.shear_modulus = ['3 MPa']\n", "elastic"),
+                  "has no effect: it is only a bound for the limit of dt_G");
+  EXPECT_EQ(sweep_of_text("shear_modulus = ['3 MPa']\n", "elastic").table, "elastic");
 }
 
 TEST(Sweep, RefusesAValueThatOccursTwice) {
