@@ -20,8 +20,8 @@ if(FLOWSLIDE_SANITIZE)
 endif()
 
 # Headers that most files include: precompiled, once for the libraries and programs, once for the tests. Half of the
-# compile time was parsing these. Every file still names what it uses: the preset dev precompiles
-# nothing and compiles each source alone.
+# compile time was parsing these. Every file still names what it uses: the preset dev precompiles nothing and compiles
+# each source alone.
 set(flowslide_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <string> <vector> <fmt/format.h>
     <Eigen/Geometry>)
 
