@@ -11,7 +11,7 @@ namespace flowslide {
 namespace {
 
 constexpr double inertial_number = 1e-2;
-constexpr double from = 0.005, until = 0.02;  ///< range of strain for the mean shear stress: around its peak
+constexpr double peak_from = 0.005, peak_until = 0.02;  ///< range of strain for the mean shear stress: around its peak
 constexpr const char* high_rate = "rate = \"constant\"\ninertial_number = 1e-2\ninitial_velocity = \"1 cm/s\"\n";
 constexpr const char* push = "history = \"constant\"\nchange = \"15 kPa\"\n";
 
@@ -20,7 +20,7 @@ double alone(const SceneContext& context, const PreparedSample& sample) {
   const SampleRecipe& recipe = context.settings().loose;
   const double rate =
       shear_rate_for(inertial_number, sample.assembly.mean_diameter(), recipe.material.density, recipe.normal_stress);
-  return mean_shear(shear(context, sample.assembly, {recipe.material, 1e-5}, {rate, until, 200}), from);
+  return mean_shear(shear(context, sample.assembly, {recipe.material, 1e-5}, {rate, peak_until, 200}), peak_from);
 }
 
 /// Mean shear stress of the sample under a slope, Pa, weighted by strain.
@@ -29,14 +29,14 @@ double coupled(const SceneContext& context, const PreparedSample& sample, const 
   double sum = 0.0, passed = 0.0;
   const auto add = [&](const Slide& slide) {
     const SlideState& state = slide.state();
-    if (state.strain.shear < from) return;
+    if (state.strain.shear < peak_from) return;
     const double strain = state.sliding.velocity * settings.time_step;
     sum += strain * state.stress.shear;
     passed += strain;
   };
   run_slide(context, sample.assembly,
             {.settings = settings,
-             .stop = {.end_time = 0.5, .end_shear_strain = until},
+             .stop = {.end_time = 0.5, .end_shear_strain = peak_until},
              .linear_start = true,
              .observe = add});
   return passed > 0.0 ? sum / passed : 0.0;

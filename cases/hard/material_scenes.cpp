@@ -10,8 +10,8 @@
 namespace flowslide {
 namespace {
 
-constexpr int readings = 200;
-constexpr double strain = 0.006;  // up to this strain, trajectories have not diverged by rounding
+constexpr int peak_readings = 200;
+constexpr double peak_strain = 0.006;  // up to this strain, trajectories have not diverged by rounding
 
 /// Adds two trials: the largest shear stress of a sample at time steps of 0.2 and 0.45 Rayleigh times. The right value
 /// is that at 0.1 Rayleigh times.
@@ -21,7 +21,8 @@ void add_peak(const SceneContext& context, SampleRecipe recipe, const std::strin
   Assembly sample;
   const auto peak = [&](double share) {
     const double step = time_step_of(share, sample, recipe.material);
-    return peak_of(shear(context, sample, {recipe.material, step}, {context.settings().shear_rate, strain, readings}));
+    const Shearing shearing{context.settings().shear_rate, peak_strain, peak_readings};
+    return peak_of(shear(context, sample, {recipe.material, step}, shearing));
   };
   const SceneTrial preparation = attempt(setting + ", prepared: e_0", {0.75, 0.15, 0.5, 1.0, refusal}, [&] {
     const PreparedSample prepared = context.prepared(recipe);

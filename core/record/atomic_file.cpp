@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* delete_or_rename = "delete it or choose another name";
 
-std::string remedy(int error) {
+std::string remedy_for(int error) {
   switch (error) {
     case ENOSPC: case EDQUOT: case EFBIG: return "free some space or choose another folder";
     case ENOENT: case ENOTDIR: return "create the folder or choose another one";
@@ -29,7 +29,7 @@ std::string remedy(int error) {
 }
 
 [[noreturn]] void fail_to_write(const fs::path& path, int error) {
-  throw FileError(fmt::format("cannot write {}: {}; {}", path.string(), std::strerror(error), remedy(error)));
+  throw FileError(fmt::format("cannot write {}: {}; {}", path.string(), std::strerror(error), remedy_for(error)));
 }
 
 /// A new file in the folder of `path`, removed again unless it was published.

@@ -14,7 +14,7 @@ namespace flowslide {
 namespace {
 
 constexpr const char* number_name = "checkpoint";
-constexpr const char* remedy = "it is not used";
+constexpr const char* checkpoint_remedy = "it is not used";
 
 struct Intact {
   std::int64_t number = 0;
@@ -27,7 +27,7 @@ std::optional<Intact> open(const std::filesystem::path& path, int place,
                            const std::function<void(std::string_view)>& complain) {
   if (std::error_code failure; !std::filesystem::exists(path, failure)) return std::nullopt;
   try {
-    hdf5::File file = hdf5::File::open(read_sealed(path, remedy), path.string());
+    hdf5::File file = hdf5::File::open(read_sealed(path, checkpoint_remedy), path.string());
     const std::int64_t number = file.root().integer_attribute(number_name);
     if (number < 1) throw CorruptFileError(fmt::format("{}: {} is no number of a checkpoint", path.string(), number));
     return Intact{number, place, std::move(file)};
@@ -89,7 +89,7 @@ std::int64_t CheckpointStore::read_newest(const std::function<void(const hdf5::G
       read(checkpoint.file.root());
       return checkpoint.number;
     } catch (const CorruptFileError& error) {
-      complain(fmt::format("{}; {}", error.what(), remedy));
+      complain(fmt::format("{}; {}", error.what(), checkpoint_remedy));
     }
   }
   throw CorruptFileError(fmt::format("no checkpoint of {} in {} can be used", name_, folder_.string()));

@@ -9,7 +9,7 @@
 namespace flowslide {
 namespace {
 
-constexpr const char* remedy = "delete it and execute that run again";
+constexpr const char* result_remedy = "delete it and execute that run again";
 
 /// Calls `visit(name, member)` for each member. Writing and reading share this list.
 template <typename P, typename Visit>
@@ -50,7 +50,7 @@ struct ReadMember {
 };
 
 hdf5::File open_result(const std::filesystem::path& path) {
-  return hdf5::File::open(read_sealed(path, remedy), path.string());
+  return hdf5::File::open(read_sealed(path, result_remedy), path.string());
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace flowslide {
 namespace {
 
-constexpr const char* remedy = "delete it, and the sample will be prepared again";
+constexpr const char* sample_remedy = "delete it, and the sample will be prepared again";
 constexpr std::string_view failure_mark = "failed: ";
 
 bool is_there(const std::filesystem::path& path) {
@@ -51,7 +51,7 @@ bool SampleStore::has_failure(const std::string& key) const { return is_there(fa
 std::optional<StoredSample> SampleStore::find(const std::string& key) const {
   if (!has(key)) return std::nullopt;
   const auto file_path = path(key);
-  const std::string image = read_sealed(file_path, remedy);
+  const std::string image = read_sealed(file_path, sample_remedy);
   try {
     const auto file = hdf5::File::open(image, file_path.string());
     const auto& root = file.root();
@@ -59,7 +59,7 @@ std::optional<StoredSample> SampleStore::find(const std::string& key) const {
       throw CorruptFileError(fmt::format("{} holds the sample of another key", file_path.string()));
     return StoredSample{root.read_text("recipe"), read_assembly(root, "assembly"), read_metrics(root, "metrics")};
   } catch (const CorruptFileError& error) {
-    throw CorruptFileError(fmt::format("{}; {}", error.what(), remedy));
+    throw CorruptFileError(fmt::format("{}; {}", error.what(), sample_remedy));
   }
 }
 
@@ -84,10 +84,10 @@ std::filesystem::path SampleStore::failure_path(const std::string& key) const {
 std::optional<FailedSample> SampleStore::find_failure(const std::string& key) const {
   if (!has_failure(key)) return std::nullopt;
   const auto file_path = failure_path(key);
-  const std::string text = read_sealed(file_path, remedy), first_line = key + "\n";
+  const std::string text = read_sealed(file_path, sample_remedy), first_line = key + "\n";
   const std::size_t mark = text.find(failure_mark);
   if (!text.starts_with(first_line) || mark == std::string::npos)
-    throw CorruptFileError(fmt::format("{} holds the failure of another key; {}", file_path.string(), remedy));
+    throw CorruptFileError(fmt::format("{} holds the failure of another key; {}", file_path.string(), sample_remedy));
   return FailedSample{text.substr(first_line.size(), mark - first_line.size()),
                       text.substr(mark + failure_mark.size())};
 }

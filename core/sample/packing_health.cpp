@@ -14,7 +14,7 @@
 namespace flowslide {
 namespace {
 
-constexpr double allowed_deviations = 4.0;  ///< standard deviations
+constexpr double packing_deviations = 4.0;  ///< standard deviations
 constexpr int fewest_slices = 3;            ///< needed for a spread and a seam
 constexpr int first_wave_number = 8, last_wave_number = 30;
 
@@ -64,17 +64,17 @@ std::vector<Check> checks(const AxisHealth& health, char axis) {
   if (health.middle_order.grains > 0)
     all.push_back({fmt::format("there is an order of the lattice along {}: in the middle of the cell it is", axis),
                    health.middle_order.value,
-                   order_of_random_positions(health.middle_order.grains, allowed_deviations)});
+                   order_of_random_positions(health.middle_order.grains, packing_deviations)});
   if (health.slices < fewest_slices) return all;
   const double third = health.slices / 3, inner = health.slices - 2.0 * third;
   const double of_spread = 1.0 / std::sqrt(2.0 * (health.slices - 1));
   const double of_seam = std::sqrt(1.0 / inner + 0.5 / third);
   all.push_back({fmt::format("void ratios of slices across {} spread by", axis), health.spread,
-                 health.counting * (1.0 + allowed_deviations * of_spread)});
+                 health.counting * (1.0 + packing_deviations * of_spread)});
   all.push_back({fmt::format("the void ratio of a slice across {} is off the mean by", axis), health.largest_deviation,
-                 health.counting * allowed_deviations});
+                 health.counting * packing_deviations});
   all.push_back({fmt::format("there is a seam across {}: void ratios of its middle and its outer part differ by", axis),
-                 std::abs(health.seam), health.counting * allowed_deviations * of_seam});
+                 std::abs(health.seam), health.counting * packing_deviations * of_seam});
   return all;
 }
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace flowslide {
+namespace flowslide::nesting_test {
 namespace {
 
 std::string repeated(const std::string& text, int times) {
@@ -54,4 +54,4 @@ TEST(Nesting, EndsWhereAStringIsNotClosed) {  // the reader refuses such a text 
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::nesting_test

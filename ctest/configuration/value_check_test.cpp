@@ -4,7 +4,7 @@
 #include "configuration/error.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::value_check_test {
 namespace {
 
 Scalar scalar(ScalarValue value, std::string written) {
@@ -104,4 +104,4 @@ TEST(RefuseValue, DoesNotRepeatAnOption) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::value_check_test

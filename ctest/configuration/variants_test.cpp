@@ -4,7 +4,7 @@
 #include "configuration/error.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::variants_test {
 namespace {
 
 constexpr const char* text = R"([slope]
@@ -75,4 +75,4 @@ TEST(Variants, RefuseAValueThatNothingReads) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::variants_test

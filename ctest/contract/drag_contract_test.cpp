@@ -14,7 +14,7 @@
 #include "sample/dem_sample.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::drag_contract_test {
 namespace {
 
 constexpr double step = 2e-6;   // s
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, DragContract, testing::ValuesIn(engine_names_o
 });
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::drag_contract_test

@@ -18,7 +18,7 @@
 #include "sample/failure.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::engine_contract_test {
 namespace {
 
 constexpr double step = 2e-6;  // a tenth of the Rayleigh time of these grains
@@ -362,4 +362,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, EngineContract, testing::ValuesIn(engine_names
                          });
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::engine_contract_test

@@ -15,7 +15,7 @@
 #include "support/contact_switches.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::native_equals_liggghts_test {
 namespace {
 
 constexpr double step = 2e-6;
@@ -253,4 +253,4 @@ TEST(NativeEqualsLiggghts, RandomCloudsWhosePairsOpenAndClose) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::native_equals_liggghts_test

@@ -9,7 +9,7 @@
 #include "sample/dem_sample.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::restart_contract_test {
 namespace {
 
 constexpr double step = 2e-6;
@@ -62,4 +62,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, RestartContract, testing::ValuesIn(engine_name
                          });
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::restart_contract_test

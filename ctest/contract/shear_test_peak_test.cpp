@@ -10,7 +10,7 @@
 #include "sample/dem_sample.hpp"
 #include "sample/preparation.hpp"
 
-namespace flowslide {
+namespace flowslide::shear_test_peak_test {
 namespace {
 
 constexpr double step = 1e-5, rate = 0.3;  // s, 1/s: as at quick scale
@@ -65,4 +65,4 @@ TEST(ElementTestPeak, IsThatOfLiggghtsWithinTheSpreadOfReplicates) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::shear_test_peak_test

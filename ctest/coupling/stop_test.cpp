@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace flowslide {
+namespace flowslide::stop_test {
 namespace {
 
 constexpr double step = 1e-3;
@@ -61,4 +61,4 @@ TEST(Stop, RefusesConditionsThatNeverOrAlwaysHold) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::stop_test

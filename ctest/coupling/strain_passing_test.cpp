@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace flowslide {
+namespace flowslide::strain_passing_test {
 namespace {
 
 /// A time step that binary fractions divide, so that q is a whole number where the tests say so.
@@ -219,4 +219,4 @@ TEST(StrainPassing, RefusesValuesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::strain_passing_test

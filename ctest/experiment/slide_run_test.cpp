@@ -17,7 +17,7 @@
 #include "sample/elastic_sample.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::slide_run_test {
 namespace {
 
 SlideSettings pulsed() {
@@ -292,4 +292,4 @@ TEST(RunSlide, ShearsGrainsAndMeasuresTheirProfiles) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::slide_run_test

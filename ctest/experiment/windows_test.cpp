@@ -9,7 +9,7 @@
 
 #include "record/same_bits.hpp"
 
-namespace flowslide {
+namespace flowslide::windows_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -119,4 +119,4 @@ TEST(WindowsOver, AreThoseOfTheResultOrNone) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::windows_test

@@ -12,7 +12,7 @@
 #include "random_assembly.hpp"
 #include "support/contact_switches.hpp"
 
-namespace flowslide {
+namespace flowslide::contact_law_test {
 namespace {
 
 constexpr double rounding = 1e-13;  // of hand-made numbers of order one
@@ -391,4 +391,4 @@ TEST(PlaneNormalForce, IsThatOfASphereOfHalfTheCurvature) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::contact_law_test

@@ -10,7 +10,7 @@
 #include "cubic_lattice.hpp"
 #include "hertz_contact_time.hpp"
 
-namespace flowslide {
+namespace flowslide::measures_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -115,4 +115,4 @@ TEST(HertzImpact, OfTwoEqualSpheres) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::measures_test

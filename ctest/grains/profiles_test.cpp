@@ -11,7 +11,7 @@
 #include "grains/stress.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::profiles_test {
 namespace {
 
 double mean(const std::vector<double>& values) {
@@ -84,4 +84,4 @@ TEST(Profiles, RefuseSublayersThatHoldNothing) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::profiles_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace flowslide {
+namespace flowslide::random_test {
 namespace {
 
 constexpr int count = 100'000;
@@ -48,4 +48,4 @@ TEST(Random, HasTheBitsOfEveryPlatform) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::random_test

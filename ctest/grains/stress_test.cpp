@@ -10,7 +10,7 @@
 #include "random_assembly.hpp"
 #include "section_stress.hpp"
 
-namespace flowslide {
+namespace flowslide::stress_test {
 namespace {
 
 using testing::force_on_mobile;
@@ -251,4 +251,4 @@ TEST(SlopeStress, Signs) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::stress_test

@@ -10,7 +10,7 @@
 #include "support/messages.hpp"
 #include "support/stress_table.hpp"
 
-namespace flowslide {
+namespace flowslide::read_coupling_test {
 namespace {
 
 constexpr const char* text = R"([slope]
@@ -304,4 +304,4 @@ TEST(CheckStrength, RefusesASlopeThatIsSteeperThanItsSampleBears) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::read_coupling_test

@@ -8,7 +8,7 @@
 #include "configuration/error.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::read_fields_test {
 namespace {
 
 struct Settings {
@@ -97,4 +97,4 @@ TEST(ReadField, TakesOneMember) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::read_fields_test

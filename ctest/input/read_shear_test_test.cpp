@@ -6,7 +6,7 @@
 #include "grains/packing.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::read_shear_test_test {
 namespace {
 
 ShearTest read(const std::string& own) {
@@ -46,4 +46,4 @@ TEST(ReadShearTest, RefusesBothRatesNoneAndValuesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::read_shear_test_test

@@ -9,6 +9,7 @@ launcher=("${@:4}")
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
+export CMAKE_BUILD_PARALLEL_LEVEL=1   # beside other tests
 
 fail() { echo "$1"; [[ ! -e $room/log ]] || tail -n 30 "$room/log"; exit 1; }
 

@@ -17,7 +17,7 @@
 #include "sample/failure.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::run_main_test {
 namespace {
 
 struct Outcome {
@@ -165,4 +165,4 @@ TEST(RunMain, LetsOneRankSpeakForAllAboutInput) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::run_main_test

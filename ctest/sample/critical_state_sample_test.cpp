@@ -10,7 +10,7 @@
 
 #include "sample/failure.hpp"
 
-namespace flowslide {
+namespace flowslide::critical_state_sample_test {
 namespace {
 
 constexpr double step = 1e-5;
@@ -147,4 +147,4 @@ TEST(CriticalStateSample, RefusesWhatItCannotBear) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::critical_state_sample_test

@@ -19,7 +19,7 @@
 #include "sample/health.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::dem_sample_test {
 namespace {
 
 constexpr double step = 2e-6;
@@ -357,4 +357,4 @@ TEST(DemSampleSettings, AreRefusedOutOfTheirBounds) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::dem_sample_test

@@ -19,7 +19,7 @@
 #include "support/elastic_cloud.hpp"
 #include "support/touching_lattice.hpp"
 
-namespace flowslide {
+namespace flowslide::stable_time_step_test {
 namespace {
 
 constexpr double step = 1e-6;  // s
@@ -86,4 +86,4 @@ TEST(StableTimeStep, OfASoftSampleExceedsTheFractionOfTheRayleighTime) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::stable_time_step_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace flowslide {
+namespace flowslide::sliding_test {
 namespace {
 
 const SlopeProperties slope;  // m = 3100 kg/m^2, h_s = 0.2 m
@@ -85,4 +85,4 @@ TEST(Sliding, RefusesAnInvalidTimeStep) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::sliding_test

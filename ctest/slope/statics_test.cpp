@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace flowslide {
+namespace flowslide::statics_test {
 namespace {
 
 constexpr double rounding = 1e-14;  // relative; some ten operations of double precision
@@ -117,4 +117,4 @@ TEST(Statics, AcceptsTheEdgesOfTheRanges) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::statics_test

@@ -8,7 +8,7 @@
 
 #include "experiment/slide_run.hpp"
 
-namespace flowslide {
+namespace flowslide::trigger_metrics_test {
 namespace {
 
 constexpr double rounding = 1e-9;
@@ -69,4 +69,4 @@ TEST(TriggerMetrics, GiveFrictionOverStrain) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::trigger_metrics_test

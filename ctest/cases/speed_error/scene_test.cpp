@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace flowslide {
+namespace flowslide::scene_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -88,4 +88,4 @@ TEST(Scene, FollowsFromWhatAPointDoes) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::scene_test

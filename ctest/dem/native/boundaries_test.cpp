@@ -9,7 +9,7 @@
 #include "grains/pair_constants.hpp"
 #include "pair_search.hpp"
 
-namespace flowslide::native {
+namespace flowslide::native::boundaries_test {
 namespace {
 
 constexpr double step = 1e-5;
@@ -214,4 +214,4 @@ TEST(Boundaries, NothingFlowsThroughARigidSideNorAPeriodicTopAlongZ) {
 }
 
 }  // namespace
-}  // namespace flowslide::native
+}  // namespace flowslide::native::boundaries_test

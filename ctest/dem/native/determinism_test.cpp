@@ -10,7 +10,7 @@
 #include "same_bits.hpp"
 #include "support/clustered_cloud.hpp"
 
-namespace flowslide {
+namespace flowslide::determinism_test {
 namespace {
 
 constexpr double step = 2e-6;
@@ -174,4 +174,4 @@ TEST(Determinism, AThousandStepsGiveTheBitsThatAreWrittenHere) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::determinism_test

@@ -13,7 +13,7 @@
 #include "support/contact_switches.hpp"
 #include "support/elastic_cloud.hpp"
 
-namespace flowslide {
+namespace flowslide::invariants_test {
 namespace {
 
 constexpr double step = 1e-6;
@@ -179,4 +179,4 @@ TEST(Invariants, AQuarterTurnAboutZTurnsTheAnswer) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::invariants_test

@@ -12,7 +12,7 @@
 #include "grains/pair_constants.hpp"
 #include "support/clustered_cloud.hpp"
 
-namespace flowslide {
+namespace flowslide::law_alone_test {
 namespace {
 
 constexpr double radius_first = 3e-3, radius_second = 2e-3;  // m
@@ -279,4 +279,4 @@ TEST(LawAlone, IsSecondOrderWithoutDashpotsAndFirstOrderWithThem) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::law_alone_test

@@ -8,7 +8,7 @@
 
 #include "moving_bodies.hpp"
 
-namespace flowslide::native {
+namespace flowslide::native::motion_pass_test {
 namespace {
 
 template <typename Real>
@@ -171,4 +171,4 @@ TEST(MeanDrift, IsWhatGrainsOfTheMeanFlowDo) {
 }
 
 }  // namespace
-}  // namespace flowslide::native
+}  // namespace flowslide::native::motion_pass_test

@@ -11,7 +11,7 @@
 #include "same_bits.hpp"
 #include "support/clustered_cloud.hpp"
 
-namespace flowslide {
+namespace flowslide::native_engine_test {
 namespace {
 
 constexpr double step = 2e-6;
@@ -125,4 +125,4 @@ TEST(NativeEngine, FrictionlessStepsClearTheSpringsAndTorquesAsTheLawDoes) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::native_engine_test

@@ -11,7 +11,7 @@
 #include "same_bits.hpp"
 #include "support/clustered_cloud.hpp"
 
-namespace flowslide {
+namespace flowslide::sheared_cell_test {
 namespace {
 
 constexpr double step = 1e-6, length = 0.0625, faster = 5.0;  // s, m and m/s: 80 /s
@@ -263,4 +263,4 @@ TEST(ShearedCell, RefusesFacesThatHaveNothingToSlideOver) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::sheared_cell_test
