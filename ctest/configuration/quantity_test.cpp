@@ -6,7 +6,7 @@
 
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::quantity_test {
 namespace {
 
 std::string complaint(const std::string& text, const Dimension& expected) {
@@ -124,4 +124,4 @@ TEST(Dimension, HasNameUnitAndExampleThatFitsItself) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::quantity_test

@@ -5,7 +5,7 @@
 #include "sample/closed_form.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::read_closed_form_sample_test {
 namespace {
 
 constexpr const char* text = R"([elastic]
@@ -69,4 +69,4 @@ TEST(ReadClosedFormSample, RefusesValuesOutOfRangeAndASlopeThatItCannotBear) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::read_closed_form_sample_test

@@ -5,7 +5,7 @@
 #include "program/case.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::file_names_test {
 namespace {
 
 Point point(const std::string& name, std::vector<std::string> tables = {}) {
@@ -35,4 +35,4 @@ TEST(FileNames, RefuseAPointAndATable) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::file_names_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace flowslide {
+namespace flowslide::slide_parameters_test {
 namespace {
 
 std::map<std::string, double> parameters(const SlidePoint& point, const std::optional<double>& number = {}) {
@@ -72,4 +72,4 @@ TEST(Describe, NamesEveryLoadingWithItsValues) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::slide_parameters_test

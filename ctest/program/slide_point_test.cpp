@@ -8,7 +8,7 @@
 #include "program/slide_case_text.hpp"
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::slide_point_test {
 namespace {
 
 SlidePoint read(const std::string& text, const std::string& name, int replicate = 0,
@@ -213,4 +213,4 @@ TEST(SlidePoint, NeedsASampleThatIsPreparedToTheStressesOfItsSlope) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::slide_point_test

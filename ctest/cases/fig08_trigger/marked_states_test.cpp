@@ -6,7 +6,7 @@
 
 #include "support/messages.hpp"
 
-namespace flowslide {
+namespace flowslide::marked_states_test {
 namespace {
 
 Result slide(const std::vector<double>& normal_stresses) {
@@ -52,4 +52,4 @@ TEST(MarkedStates, TheHeadNamesEachColumnOfARow) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::marked_states_test

@@ -9,7 +9,7 @@
 #include "experiment/run_measures.hpp"
 #include "experiment/slide_run.hpp"
 
-namespace flowslide {
+namespace flowslide::comparison_test {
 namespace {
 
 /// v = min(sqrt(2 a x), limit) up to x = 4 m after a pulse (kPa), as the replicate of that number.
@@ -86,4 +86,4 @@ TEST(Comparison, SaysNothingOfWhatWasNotRun) {
 }
 
 }  // namespace
-}  // namespace flowslide
+}  // namespace flowslide::comparison_test
