@@ -46,7 +46,7 @@ std::string lammps_data(const PeerSample& sample) {
   text += "\nAtoms # sphere\n\n";
   const auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const Vector3 x = folded(grains.cell, grains.position[i]);
+    const Vector3 x = position_in_cell(grains.cell, grains.position[i]);
     fmt::format_to(out, "{} {} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, atom_type(grains.role[i]),
                    2.0 * grains.radius[i], sample.material.density, x.x(), x.y(), x.z());
   }

@@ -48,7 +48,7 @@ TypicalContact typical_contact(const PeerSample& sample) {
   return typical;
 }
 
-Vector3 folded(const Cell& cell, Vector3 position) {
+Vector3 position_in_cell(const Cell& cell, Vector3 position) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!cell.periodic[axis]) continue;
     const double length = cell.lengths()[axis];
@@ -72,7 +72,7 @@ std::string sample_table(const PeerSample& sample) {
   };
   for (std::size_t i = 0; i < grains.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "{} {:.17g}", static_cast<int>(grains.role[i]), grains.radius[i]);
-    add(folded(grains.cell, grains.position[i]));
+    add(position_in_cell(grains.cell, grains.position[i]));
     add(grains.velocity[i]);
     add(grains.spin[i]);
     text += '\n';

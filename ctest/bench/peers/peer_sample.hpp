@@ -34,7 +34,7 @@ struct TypicalContact {
 TypicalContact typical_contact(const PeerSample& sample);
 
 /// The position, folded into the cell on its periodic axes, m.
-Vector3 folded(const Cell& cell, Vector3 position);
+Vector3 position_in_cell(const Cell& cell, Vector3 position);
 
 /// The grains as a table. Comment lines begin with '#' and state the cell. One line a grain, in the order of the
 /// assembly:
