@@ -16,7 +16,8 @@ ProfilePlan read_profile_plan(const Configuration& configuration, const std::str
   plan.sublayers = static_cast<int>(configuration.integer("profiles.sublayers", Range::between(2, 1000)));
   plan.snapshots = static_cast<int>(configuration.integer("profiles.snapshots", Range::between(1, 100000)));
   plan.window = configuration.number("profiles.window", Range::not_negative());
-  plan.read = choice_of<ProfileReading>(configuration.text("profiles.read", choice_names<ProfileReading>()));
+  if (const std::string key = "profiles.read"; configuration.has(key))
+    plan.read = choice_of<ProfileReading>(configuration.text(key, choice_names<ProfileReading>()));
   return plan;
 }
 

@@ -138,14 +138,9 @@ struct SampleProvider {
                                              now.stress.normal));
       if (poll) poll([&] { return checkpoints.keep(now.state()); });
     };
-    try {
-      PreparedSample made = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
-      progress.finish(fmt::format("e0 = {:.4f}", made.void_ratio));
-      return made;
-    } catch (const NumericalFailure& failure) {
-      progress.message(fmt::format("{}: failed: {}", label, failure.what()));
-      throw;
-    }
+    PreparedSample made = prepare_sample(engine, recipe, observe, from ? &*from : nullptr);
+    progress.finish(fmt::format("e0 = {:.4f}, probe {:.4f}", made.void_ratio, made.probe_void_ratio));
+    return made;
   }
 
   /// The sample if the cache has it. Throws NumericalFailure if its preparation is known to fail.
@@ -206,13 +201,23 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
   const SampleStore store(cache);
   const SampleProvider provider{engine, store, cache, style, poll};
   FoundSample found;
-  const auto prepare = [&](const SampleRecipe& recipe) {
-    found.sample = provider.sample(recipe, fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
-                                                        specification.target.void_ratio, found.trials + 1));
+  const auto provide = [&](const SampleRecipe& recipe, const std::string& label) {
+    found.sample = provider.sample(recipe, label);
     ++found.trials;
     found.health = packing_health(found.sample.assembly, recipe);
     if (const std::string uneven = unevenness(found.health); !uneven.empty() && !specification.allow_uneven)
       throw NumericalFailure(fmt::format("sample {}, seed {}: {}", specification.name, recipe.packing.seed, uneven));
+  };
+  int trials = 0;
+  const auto prepare = [&](const SampleRecipe& recipe) {
+    const std::string label = fmt::format("sample {} (e0 {} wanted), trial {}", specification.name,
+                                          specification.target.void_ratio, ++trials);
+    try {
+      provide(recipe, label);
+    } catch (const NumericalFailure& failure) {
+      style.say(fmt::format("{}: failed: {}", label, failure.what()));
+      throw;
+    }
     return specification.target.region == VoidRatioRegion::probe ? found.sample.probe_void_ratio
                                                                  : found.sample.void_ratio;
   };

@@ -132,7 +132,10 @@ TEST_F(RestartPreparation, RemembersTrialsThatFailed) {
   EXPECT_EQ(files("whole_cache", ".failed").size(), 1U);
   EXPECT_EQ(files("whole_cache", ".h5"), Words{});
   EXPECT_EQ(run("out", options), 3);
-  EXPECT_EQ(said_, end);  // at once: no trial
+  // At once: the reason again, and no step.
+  EXPECT_CONTAINS(said_, "trial 1: failed: ");
+  EXPECT_EQ(said_.find("steps"), said_.npos) << said_;
+  EXPECT_EQ(said_.substr(said_.rfind("flowslide: ")), end);
 }
 
 TEST_F(Restart, EndsBeforeTheTimeThatItIsGiven) {

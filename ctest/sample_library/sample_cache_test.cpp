@@ -169,6 +169,13 @@ TEST_F(SampleCache, RefusesAnUnevenSampleUnlessItIsTaken) {
   EXPECT_EQ(first.preparations(), 2);  // the next seed might have been even
   EXPECT_EQ(end(second, even).second, message);
   EXPECT_EQ(second.steps(), 0);  // its samples are kept all the same
+  std::ostringstream lines;
+  ProgressStyle style;
+  style.stream = &lines;
+  EXPECT_THROW(find_sample(second, even, folder(), style), NumericalFailure);
+  for (const char* trial : {"trial 1: failed: sample loose, seed 1: the sample is not as even",
+                            "trial 2: failed: sample loose, seed 2: the sample is not as even"})
+    EXPECT_CONTAINS(lines.str(), trial);  // also of samples of the cache
   even.allow_uneven = true;
   EXPECT_EQ(find(second, even).trials, 1);
   EXPECT_EQ(second.steps(), 0);
