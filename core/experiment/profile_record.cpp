@@ -122,14 +122,15 @@ Series ProfileRecord::series() const {
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
   for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
     const auto& [first, sum, snapshots] = sums_[i];
-    // The loop ends here, because the columns of later profiles are numbered by position.
-    if (!has_ratios(sum) || !has_ratios(first)) break;
-    const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
     const bool reads_mean = plan_.read == ProfileReading::mean;
-    add_columns(series, "", i + 1, at, reads_mean ? sum : first);
-    if (snapshots == 1) continue;
-    if (reads_mean) add_columns(series, "snapshot_", i + 1, at + ", first snapshot", first);
-    else add_columns(series, "mean_", i + 1, at + ", mean of the snapshots", sum);
+    const ProfileValues &read = reads_mean ? sum : first, &other = reads_mean ? first : sum;
+    // The loop ends here, because the columns of later profiles are numbered by position.
+    if (!has_ratios(read)) break;
+    const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
+    add_columns(series, "", i + 1, at, read);
+    if (snapshots == 1 || !has_ratios(other)) continue;
+    add_columns(series, reads_mean ? "snapshot_" : "mean_", i + 1,
+                at + (reads_mean ? ", first snapshot" : ", mean of the snapshots"), other);
   }
   return series;
 }

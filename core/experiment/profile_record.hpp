@@ -58,8 +58,8 @@ class ProfileRecord {
   /// top layer is the mean of its grains. In a cell that is periodic along z it is the velocity of the upper face.
   /// Throws NumericalFailure if a sublayer contains no solid.
   void take(double strain, const DemSample& sample);
-  /// The complete profiles. A profile of a sample that does not move or bears no stress has no ratios. This profile and
-  /// all later ones are left out.
+  /// The complete profiles. What is read of a sample that does not move or bears no stress has no ratios. This profile
+  /// and all later ones are left out; the columns of what is not read are left out where they have no ratios.
   Series series() const;
 
   /// The state for a checkpoint. `restore` continues from it and throws std::invalid_argument if it does not fit this
