@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "bench_options.hpp"
 #include "bench_states.hpp"
 #include "bench_table.hpp"
 #include "configuration/error.hpp"
@@ -109,13 +110,7 @@ Options read_options(int argc, char** argv) {
   app.add_option("--rounds", options.rounds, "of 100 steps a repetition; 0: as suits the size")
       ->check(CLI::Range(0, 1'000'000));
   app.allow_extras();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    throw FinishedEarly(app.help());
-  } catch (const CLI::ParseError& error) {
-    throw ConfigurationError(error.what());
-  }
+  parse_options(app, argc, argv);
   std::vector<std::string> rest = app.remaining();
   // By turns in an order that is drawn, unless several ranks would each draw their own and wait for one another.
   const char* turns = mpi_ranks() == 1 ? "true" : "false";

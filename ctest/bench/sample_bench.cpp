@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
+#include "bench_options.hpp"
 #include "bench_states.hpp"
-#include "configuration/error.hpp"
 #include "dem/native/native_engine.hpp"
 #include "program/run_main.hpp"
 #include "sample/dem_sample.hpp"
@@ -104,13 +104,7 @@ int run(int argc, char** argv) {
   CLI::App app("Cost of the calls of a sample");
   app.add_option("--grains", grains)->delimiter(',')->check(CLI::Range(27, 20'000));
   app.add_option("--rounds", rounds, "of which the shortest counts; 8 times as many of runs")->check(CLI::Range(1, 10'000));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    throw FinishedEarly(app.help());
-  } catch (const CLI::ParseError& error) {
-    throw ConfigurationError(error.what());
-  }
+  parse_options(app, argc, argv);
   fmt::print("{}, one thread:\n\n", processor());
   for (const int number : grains) {
     fmt::print("| grains | call | time | in steps |\n|---|---|---|---|\n");

@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "bench_options.hpp"
 #include "bench_states.hpp"
-#include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
 #include "experiment/ensemble.hpp"
 #include "process/exit_code.hpp"
@@ -117,13 +117,7 @@ int run(int argc, char** argv) {
   app.add_option("--threads", options.threads)->check(CLI::Range(2, 1024));
   app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 100'000));
   app.add_option("--seconds", options.seconds, "of each measurement")->check(CLI::Range(1e-3, 60.0));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    throw FinishedEarly(app.help());
-  } catch (const CLI::ParseError& error) {
-    throw ConfigurationError(error.what());
-  }
+  parse_options(app, argc, argv);
   const BenchState state = bench_state("rest", options.grains);
   Runner alone(state, options.engine, 1), together(state, options.engine, options.threads);
   std::vector<std::unique_ptr<Runner>> independent;

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench_options.hpp"
 #include "bench_states.hpp"
 #include "configuration/error.hpp"
 #include "dem/make_engine.hpp"
@@ -43,13 +44,7 @@ Options read_options(int argc, char** argv) {
   app.add_option("--turns", options.turns)->check(CLI::Range(1, 1000));
   app.add_option("--seconds", options.seconds, "of each code in each turn, about")->check(CLI::Range(0.01, 3600.0));
   app.add_option("--output", options.output, "folder of the inputs and logs");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    throw FinishedEarly(app.help());
-  } catch (const CLI::ParseError& error) {
-    throw ConfigurationError(error.what());
-  }
+  parse_options(app, argc, argv);
   return options;
 }
 
