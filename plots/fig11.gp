@@ -43,7 +43,9 @@ do for [format in "png pdf"] {
   set offsets
   set title panel("B", "excess pore pressure")
   set ylabel "excess pore pressure {/:Italic p_w} (kPa)" offset 0
-  set yrange [lowest:62]; set ytics lowest, 5, 30   # the upper half is that of the inset
+  step = lowest < -10 ? 10 : 5
+  # The upper half is that of the inset.
+  set yrange [lowest:lowest + (30 - lowest) * 62.0 / 30]; set ytics step * ceil(lowest / (1.0 * step)), step, 30
   unset key
   plot for [i = 1:2] wide(i) using (far * column("displacement")):(kilo * column("pore_pressure_lowest")): \
          (kilo * column("pore_pressure_highest")) with filledcurves linecolor rgb colour[i] notitle, \
