@@ -26,7 +26,8 @@ std::string read_text_file(const std::filesystem::path& file, const std::string&
   };
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(file, failure);
-  if (std::filesystem::is_directory(status)) refuse(fmt::format("is a folder, but {} is needed; give the path of the file", wanted));
+  if (std::filesystem::is_directory(status))
+    refuse(fmt::format("is a folder, but {} is needed; give the path of the file", wanted));
   if (std::filesystem::is_other(status))
     refuse(fmt::format("is a pipe, a socket or a device, but {} is needed; write it to a file first", wanted));
   std::ifstream stream(file, std::ios::binary);

@@ -41,7 +41,8 @@ std::vector<std::string> samples_in_use(const Configuration& configuration);
 ///   seed_offsets                        shift of the seed for each replicate; optional
 ///   found_preparation_frictions         mu_1 for each replicate; optional
 /// The two lists hold the results of an earlier search and save the trials of the next. `replicate` (from 0) selects
-/// their items. Without an item for it, the seed is shifted by 1000 `replicate` (see seeds_per_replicate). Throws ConfigurationError.
+/// their items. Without an item for it, the seed is shifted by 1000 `replicate` (see seeds_per_replicate). Throws
+/// ConfigurationError.
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 
