@@ -94,7 +94,7 @@ void compare_steady_states(const Ensembles& slides, std::map<std::string, double
     const Statistics excess = paired_difference(*rd, *ri, "steady_" + what);
     if (std::isnan(excess.mean)) continue;
     metrics[what + "_ratio"] = paired_ratio(*rd, *ri, "steady_" + what).median;
-    if (paired(*rd, *ri).size() > 1) metrics[what + "_excess"] = excess.mean / excess.standard_error;
+    if (excess.standard_error > 0.0) metrics[what + "_excess"] = excess.mean / excess.standard_error;
   }
 }
 

@@ -32,8 +32,9 @@ std::vector<Metric> profile_metrics(const Series& profiles) {
   std::vector<Metric> metrics;
   const std::size_t layers = profiles.rows();
   if (layers <= 2 * near_a_plane) return metrics;
-  for (const std::string of : {"", "snapshot_", "mean_"})
-    for (std::size_t i = 1; profiles.has(fmt::format("{}velocity_{}", of, i)); ++i) {
+  for (std::size_t i = 1; profiles.has(fmt::format("velocity_{}", i)); ++i)
+    for (const std::string of : {"", "snapshot_", "mean_"}) {
+      if (!profiles.has(fmt::format("{}velocity_{}", of, i))) continue;
       const auto name = [&](const char* what) { return fmt::format("{}{}_{}", of, what, i); };
       const std::vector<double>& shear = profiles.column(name("shear_stress")).values;
       const std::vector<double>& normal = profiles.column(name("normal_stress")).values;

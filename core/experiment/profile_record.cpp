@@ -78,7 +78,7 @@ double ProfileRecord::next_strain() const {
   const std::size_t index = open ? sums_.size() - 1 : sums_.size();
   if (index >= plan_.strains.size()) return std::numeric_limits<double>::infinity();
   const int taken = open ? sums_.back().snapshots : 0;
-  return plan_.strains[index] * (1.0 + plan_.window * taken / plan_.snapshots);
+  return plan_.strain_of(index, taken);
 }
 
 void ProfileRecord::take(double strain, const DemSample& sample) {
@@ -120,15 +120,17 @@ Series ProfileRecord::series() const {
   Series series;
   series.axis = {"relative_height", "z/H", "1", "height over that of the sample", "from the bottom up", {}};
   for (int layer = 0; layer < plan_.sublayers; ++layer) series.axis.values.push_back((layer + 0.5) / plan_.sublayers);
-  for (std::size_t i = 0; i < sums_.size() && sums_[i].snapshots == plan_.snapshots; ++i) {
+  const bool reads_mean = plan_.read == ProfileReading::mean;
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
     const auto& [first, sum, snapshots] = sums_[i];
-    const bool reads_mean = plan_.read == ProfileReading::mean;
+    const bool complete = snapshots == plan_.snapshots;
+    if (reads_mean && !complete) break;
     const ProfileValues &read = reads_mean ? sum : first, &other = reads_mean ? first : sum;
     // The loop ends here, because the columns of later profiles are numbered by position.
     if (!has_ratios(read)) break;
     const std::string at = fmt::format(" at a shear strain of {}", plan_.strains[i]);
     add_columns(series, "", i + 1, at, read);
-    if (snapshots == 1 || !has_ratios(other)) continue;
+    if (plan_.snapshots == 1 || !complete || !has_ratios(other)) continue;
     add_columns(series, reads_mean ? "snapshot_" : "mean_", i + 1,
                 at + (reads_mean ? ", first snapshot" : ", mean of the snapshots"), other);
   }

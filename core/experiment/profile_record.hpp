@@ -26,6 +26,10 @@ struct ProfilePlan {
   double window = 0.0;           ///< the snapshots are spread over the strain `window` times the first strain
   std::vector<double> strains;   ///< shear strain of the first snapshot of each profile, increasing; empty: no profile
   ProfileReading read = ProfileReading::mean;
+
+  /// Shear strain of snapshot `number` (from 0) of a profile, and of its last snapshot.
+  double strain_of(std::size_t profile, int number) const { return strains[profile] * (1.0 + window * number / snapshots); }
+  double last_strain(std::size_t profile) const { return strain_of(profile, snapshots - 1); }
 };
 
 /// One snapshot of the sublayers and of the sample, or a sum of snapshots. Vectors of shape (sublayers), from the bottom
@@ -58,7 +62,8 @@ class ProfileRecord {
   /// top layer is the mean of its grains. In a cell that is periodic along z it is the velocity of the upper face.
   /// Throws NumericalFailure if a sublayer contains no solid.
   void take(double strain, const DemSample& sample);
-  /// The complete profiles. What is read of a sample that does not move or bears no stress has no ratios. This profile
+  /// The profiles so far: with ProfileReading::mean the complete ones, otherwise those with a first snapshot; the mean
+  /// stands beside it once it is complete. What is read of a sample that does not move or bears no stress has no ratios. This profile
   /// and all later ones are left out; the columns of what is not read are left out where they have no ratios.
   Series series() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input/read_profile_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -18,6 +20,12 @@ ProfilePlan read_profile_plan(const Configuration& configuration, const std::str
   plan.window = configuration.number("profiles.window", Range::not_negative());
   if (const std::string key = "profiles.read"; configuration.has(key))
     plan.read = choice_of<ProfileReading>(configuration.text(key, choice_names<ProfileReading>()));
+  for (std::size_t i = 1; i < plan.strains.size(); ++i)
+    if (const double last = plan.last_strain(i - 1); last >= plan.strains[i])
+      configuration.refuse(strains_key,
+                           fmt::format("has {} before the last snapshot of the profile of {}, at {}", plan.strains[i],
+                                       plan.strains[i - 1], last),
+                           "give strains that are farther apart, or a smaller profiles.window");
   return plan;
 }
 

@@ -75,6 +75,15 @@ TEST_F(ProfileRecordOfGrains, HasTheFirstSnapshotBesideTheMean) {
   EXPECT_EQ(snapshot.series().column("mean_velocity_1").values, both.column("velocity_1").values);
 }
 
+TEST_F(ProfileRecordOfGrains, HasTheFirstSnapshotOfARunThatEndsBeforeTheLast) {
+  ProfileRecord mean({3, 2, 1.0, {0.1}}), first({3, 2, 1.0, {0.1}, ProfileReading::first_snapshot});
+  mean.take(0.1, *sample_);
+  first.take(0.1, *sample_);
+  EXPECT_TRUE(mean.series().columns.empty());
+  EXPECT_EQ(first.series().columns.size(), 3U);
+  EXPECT_TRUE(first.series().has("velocity_1"));
+}
+
 TEST_F(ProfileRecordOfGrains, GoesOnFromWhatItHad) {
   const ProfilePlan plan{3, 2, 1.0, {0.1, 0.5}};
   const std::vector<std::vector<double>> stops{{}, {0.12}, {0.12, 0.2}, {0.12, 0.2, 0.6}};

@@ -22,5 +22,18 @@ TEST(ReadProfilePlan, TakesStrainsAndTheTableProfiles) {
                   "does not increase; sort the strains and give each once");
 }
 
+TEST(ReadProfilePlan, RefusesAProfileThatBeginsWithinTheOneBefore) {
+  const auto text = [](const char* strains) {
+    return std::string("[profiles]\nsublayers = 5\nsnapshots = 100\nwindow = 1\n[point.a]\nprofile_strains = ") + strains;
+  };
+  const auto plan = [&](const char* strains) {
+    return read_profile_plan(Configuration::from_text(text(strains)), "point.a.profile_strains");
+  };
+  EXPECT_NEAR(plan("[0.1, 0.2]").last_strain(0), 0.199, 1e-12);
+  EXPECT_CONTAINS(message_of<ConfigurationError>([&] { plan("[0.3, 0.4]"); }),
+                  "has 0.4 before the last snapshot of the profile of 0.3, at 0.597; give strains that are farther "
+                  "apart, or a smaller profiles.window");
+}
+
 }  // namespace
 }  // namespace flowslide
