@@ -4,15 +4,22 @@
 #include <array>
 #include <cmath>
 
+#include "choices_table.hpp"
 #include "contact_metrics.hpp"
 #include "dem/make_engine.hpp"
 #include "jam.hpp"
+#include "program/runout.hpp"
+#include "record/atomic_file.hpp"
 #include "record/gnuplot_table.hpp"
 
 namespace flowslide {
 namespace {
 
-/// A row for each run. Strains that were not reached are those of the end of the test, and `jams` tells them apart.
+/// Whether a run is of the map. The others change one choice at a time.
+bool is_of_map(const std::string& name) { return name.starts_with("off_") || name.starts_with("on_"); }
+
+/// A row for each run of the map. Strains that were not reached are those of the end of the test, and `jams` tells them
+/// apart.
 Series map_of(const Ensembles& runs) {
   Series map;
   map.axis = {"shear_rate", "gamma_dot", "1/s", "shear rate", "", {}};
@@ -22,7 +29,8 @@ Series map_of(const Ensembles& runs) {
                  {"jams", "", "1", "1: tau exceeds 10 % of sigma_0 from some strain to the end", "", {}},
                  {"strain", "gamma", "1", "strain from which it does, or the strain at the end", "", {}},
                  {"largest_burst", "tau/sigma_0", "1", "largest tau after liquefaction and before that", "", {}}};
-  for (const auto& [name, ensemble] : runs)
+  for (const auto& [name, ensemble] : runs) {
+    if (!is_of_map(name)) continue;
     for (const Result& result : ensemble) {
       const bool jams = metric_of(result, "jams") == 1.0;
       const double strain = jams ? metric_of(result, "strain_above_10") : result.series.last("shear_strain");
@@ -32,6 +40,7 @@ Series map_of(const Ensembles& runs) {
                                 metric_of(result, "torsion_resistance"), jams ? 1.0 : 0.0, strain,
                                 std::isfinite(burst) ? burst : 0.0});
     }
+  }
   return map;
 }
 
@@ -40,11 +49,11 @@ Series map_of(const Ensembles& runs) {
 std::unique_ptr<Case> make_case() { return std::make_unique<OpenChoicesCase>(); }
 
 OpenChoicesCase::OpenChoicesCase()
-    : SlideCase({"open_choices", "What the paper leaves unsaid: which samples jam, at which rate", FLOWSLIDE_VERSION,
-                 {"open_choices"}, engine_names()}) {}
+    : SlideCase({"open_choices", "What the paper leaves unsaid: which samples jam, and one choice at a time",
+                 FLOWSLIDE_VERSION, {"open_choices"}, engine_names()}) {}
 
 std::vector<Metric> OpenChoicesCase::slide_metrics(const SlideOutcome& outcome) const {
-  if (!outcome.point.test) return {};
+  if (!outcome.point.test) return pulse_runout(outcome);
   const SampleRecipe& recipe = outcome.point.sample.recipe;
   const ShearTest& test = *outcome.point.test;
   const bool lasts = outcome.series.last("normal_stress") >= test.end_normal_stress;
@@ -69,7 +78,9 @@ std::vector<std::string> OpenChoicesCase::tables() const {
 
 void OpenChoicesCase::finish(const OutputFolder& output) const {
   SlideCase::finish(output);
-  write_table(output.file("map.dat"), {{}, map_of(results_in(output.path(), points_in(output)))});
+  const Ensembles runs = results_in(output.path(), points_in(output));
+  write_table(output.file("map.dat"), {{}, map_of(runs)});
+  write_atomically(output.file("choices.md"), choices_table(runs));
 }
 
 }  // namespace flowslide

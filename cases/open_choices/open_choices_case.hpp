@@ -5,12 +5,11 @@
 namespace flowslide {
 
 /// The map of jamming: constant-volume shear of samples of several void ratios at several rates, with and without
-/// torsion resistance. See README.md for the scoreboard of the claims and the choices one at a time, which are runs of
-/// the other cases.
+/// torsion resistance. And the open choices one at a time: shear and slides of two samples of the paper.
 class OpenChoicesCase : public SlideCase {
  public:
   OpenChoicesCase();
-  /// Also writes map.dat, a row for each run.
+  /// Also writes map.dat, a row for each run of the map, and choices.md (see choices_table).
   void finish(const OutputFolder& output) const override;
   std::vector<std::string> tables() const override;
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "configuration/error.hpp"
+#include "configuration/tables.hpp"
 #include "dem/make_engine.hpp"
 #include "input/read_closed_form_sample.hpp"
 #include "input/read_coupling.hpp"
@@ -108,8 +109,8 @@ void SlideCase::read(const Configuration& configuration) {
   for (int replicate = 0; replicate < replicates; ++replicate) {
     const CommonSettings common{replicate, all_samples[static_cast<std::size_t>(replicate)], slope_, engine};
     for (const std::string& name : configuration.subtables("point")) {
-      const std::string key = "point." + name + ".replicates";
-      if (configuration.has(key) && replicate >= configuration.integer(key, Range::between(1, 100))) continue;
+      const Tables table(configuration, with_like(configuration, "point", name));
+      if (table.has("replicates") && replicate >= table.integer("replicates", Range::between(1, 100))) continue;
       SlidePoint read = read_slide_point(configuration, name, common);
       read.closed_form = closed_form;
       if (closed_form) {

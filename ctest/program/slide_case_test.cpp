@@ -40,6 +40,15 @@ TEST_F(SlideProgram, GathersMetricsOfPointsSlidesAndAll) {
   EXPECT_FALSE(metrics.contains("RD.nothing"));
 }
 
+TEST_F(SlideProgram, TakesTheNumberOfReplicatesFromTheRunThatAPointIsLike) {
+  const auto file = scratch_.write("mine.toml", "point.RD.replicates = 1\npoint.other = { like = 'RD' }\n");
+  ASSERT_EQ(run({"--config", file.string(), "--list"}), 0) << error_;
+  EXPECT_CONTAINS(text_, "other");
+  EXPECT_EQ(text_.find("other_r2"), std::string::npos);
+  EXPECT_EQ(text_.find("RD_r2"), std::string::npos);
+  EXPECT_CONTAINS(text_, "RI_r3");
+}
+
 TEST_F(SlideProgram, RefusesAResultOfAnEditedLoadingTable) {
   const fs::path table = scratch_.write("quake.txt", "0 0\n1 500\n");
   const auto file = scratch_.write("mine.toml", "loading = {history = 'table', file = 'quake.txt'}\nreplicates = 1\n");

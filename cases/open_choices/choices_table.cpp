@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "choices_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace flowslide {
+namespace {
+
+/// The choices of case.toml, in the order of the table.
+constexpr std::array choices{
+    std::pair{"plain", "none"},
+    std::pair{"torsion", "torsion resistance"},
+    std::pair{"limited", "normal force limited"},
+    std::pair{"glue", "glue: outer 5 % of the height"},
+    std::pair{"height", "strain between the glued layers"},
+    std::pair{"stiffness_1", "rolling stiffness 1"},
+    std::pair{"stiffness_5", "rolling stiffness 5"},
+    std::pair{"damping_0", "rolling damping 0"},
+    std::pair{"damping_05", "rolling damping 0.5"},
+    std::pair{"drag_half", "half the drag, same e_0"},
+    std::pair{"drag_double", "twice the drag, same e_0"},
+    std::pair{"stale", "stale histories (stock LIGGGHTS)"},
+    std::pair{"time_step", "dt_L = 5e-7 s"},
+};
+
+/// The first result of a run; null if there is none.
+const Result* result_of(const Ensembles& runs, const std::string& name) {
+  const auto found = runs.find(name);
+  return found == runs.end() ? nullptr : &found->second.front();
+}
+
+std::string number(const Result* result, const char* metric, const char* format, double factor = 1.0) {
+  const double value = result == nullptr ? std::nan("") : metric_of(*result, metric);
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), factor * value) : "-";
+}
+
+/// What a sample does after its peak.
+std::string class_of(const Result* shear) {
+  if (shear == nullptr) return "-";
+  if (!std::isfinite(metric_of(*shear, "liquefied_strain"))) return "does not liquefy";
+  if (metric_of(*shear, "jams") == 1.0) return "jams from " + number(shear, "strain_above_10", "{:.0f} %", 100.0);
+  return fmt::format("liquid to {:.0f} %", 100.0 * shear->series.last("shear_strain"));
+}
+
+/// Velocity when the pulse ends, and the largest; "stops" if the slope came to rest.
+std::string velocities(const Result* slide) {
+  if (slide == nullptr) return "-";
+  return number(slide, "velocity_after_pulse", "{:.2f}") + ", " + number(slide, "largest_velocity", "{:.2f}") +
+         (metric_of(*slide, "sliding_stopped") == 1.0 ? ", stops" : "");
+}
+
+}  // namespace
+
+std::string choices_table(const Ensembles& runs) {
+  std::string table =
+      "| sample | choice | e_0 of cell, probe | peak (kPa) | course | tau above 1 % from (%) | RD: v after the pulse, "
+      "largest (m/s) | RI |\n|---|---|---|---|---|---|---|---|\n";
+  for (const std::string sample : {"771", "765"})
+    for (const auto& [name, text] : choices) {
+      const std::string stem = fmt::format("{}_{}_", name, sample);
+      const Result *shear = result_of(runs, stem + "shear"), *rd = result_of(runs, stem + "RD"),
+                   *ri = result_of(runs, stem + "RI");
+      if (shear == nullptr && rd == nullptr && ri == nullptr) continue;
+      const Result* any = shear != nullptr ? shear : rd != nullptr ? rd : ri;
+      table += fmt::format("| 0.{} | {} | {}, {} | {} | {} | {} | {} | {} |\n", sample, text,
+                           number(any, "initial_void_ratio", "{:.3f}"), number(any, "initial_probe_void_ratio", "{:.3f}"),
+                           number(shear, "peak_shear_stress", "{:.1f}", 1e-3), class_of(shear),
+                           number(shear, "strain_above_1", "{:.0f}", 100.0), velocities(rd), velocities(ri));
+    }
+  return table;
+}
+
+}  // namespace flowslide
