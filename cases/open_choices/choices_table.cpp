@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ constexpr std::array choices{
     std::pair{"drag_double", "twice the drag, same e_0"},
     std::pair{"stale", "stale histories (stock LIGGGHTS)"},
     std::pair{"time_step", "dt_L = 5e-7 s"},
+    std::pair{"rest", "RI rests while liquefied"},
 };
 
 /// The first result of a run; null if there is none.
@@ -47,11 +49,15 @@ std::string class_of(const Result* shear) {
   return fmt::format("liquid to {:.0f} %", 100.0 * shear->series.last("shear_strain"));
 }
 
-/// Velocity when the pulse ends, and the largest; "stops" if the slope came to rest.
-std::string velocities(const Result* slide) {
-  if (slide == nullptr) return "-";
-  return number(slide, "velocity_after_pulse", "{:.2f}") + ", " + number(slide, "largest_velocity", "{:.2f}") +
-         (metric_of(*slide, "sliding_stopped") == 1.0 ? ", stops" : "");
+/// Medians over the samples of the velocity when the pulse ends and of the largest, and how many slides came to rest.
+std::string velocities(const Ensembles& runs, const std::string& name) {
+  const auto found = runs.find(name);
+  if (found == runs.end()) return "-";
+  const Ensemble& slides = found->second;
+  const std::vector<double> stopped = values_of(slides, "sliding_stopped");
+  return fmt::format("{:.2f}, {:.2f}; {:.0f} of {} stop", statistics_of(slides, "velocity_after_pulse").median,
+                     statistics_of(slides, "largest_velocity").median,
+                     std::accumulate(stopped.begin(), stopped.end(), 0.0), slides.size());
 }
 
 }  // namespace
@@ -59,18 +65,20 @@ std::string velocities(const Result* slide) {
 std::string choices_table(const Ensembles& runs) {
   std::string table =
       "| sample | choice | e_0 of cell, probe | peak (kPa) | course | tau above 1 % from (%) | RD: v after the pulse, "
-      "largest (m/s) | RI |\n|---|---|---|---|---|---|---|---|\n";
+      "largest v (m/s) | RI |\n|---|---|---|---|---|---|---|---|\n";
   for (const std::string sample : {"771", "765"})
     for (const auto& [name, text] : choices) {
       const std::string stem = fmt::format("{}_{}_", name, sample);
-      const Result *shear = result_of(runs, stem + "shear"), *rd = result_of(runs, stem + "RD"),
-                   *ri = result_of(runs, stem + "RI");
-      if (shear == nullptr && rd == nullptr && ri == nullptr) continue;
-      const Result* any = shear != nullptr ? shear : rd != nullptr ? rd : ri;
+      const Result* shear = result_of(runs, stem + "shear");
+      const Result* any = shear;
+      for (const char* scheme : {"RD", "RI"})
+        if (any == nullptr) any = result_of(runs, stem + scheme);
+      if (any == nullptr) continue;
       table += fmt::format("| 0.{} | {} | {}, {} | {} | {} | {} | {} | {} |\n", sample, text,
                            number(any, "initial_void_ratio", "{:.3f}"), number(any, "initial_probe_void_ratio", "{:.3f}"),
                            number(shear, "peak_shear_stress", "{:.1f}", 1e-3), class_of(shear),
-                           number(shear, "strain_above_1", "{:.0f}", 100.0), velocities(rd), velocities(ri));
+                           number(shear, "strain_above_1", "{:.0f}", 100.0), velocities(runs, stem + "RD"),
+                           velocities(runs, stem + "RI"));
     }
   return table;
 }
