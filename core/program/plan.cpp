@@ -18,7 +18,8 @@ std::string replicate_name(const std::string& point, int replicate) {
 
 double seconds_per_grain_and_step(const std::string& engine) {
   if (engine.starts_with("liggghts")) return 1.6e-7;
-  return engine.starts_with("native") ? 3.7e-8 : 0.0;
+  if (engine == "native-mixed") return 2.6e-8;
+  return engine == "native" ? 3.7e-8 : 0.0;
 }
 
 void print_sample_plan(std::ostream& out, const SampleSpecification& sample, const std::string& preparation_engine) {
