@@ -49,15 +49,21 @@ std::string class_of(const Result* shear) {
   return fmt::format("liquid to {:.0f} %", 100.0 * shear->series.last("shear_strain"));
 }
 
-/// Medians over the samples of the velocity when the pulse ends and of the largest, and how many slides came to rest.
+/// The median over the samples of a velocity, m/s.
+std::string velocity(const Ensemble& slides, const char* metric) {
+  const double median = statistics_of(slides, metric).median;
+  return std::isfinite(median) ? fmt::format("{:.2f}", median) : "-";
+}
+
+/// The velocity when the pulse ends, the largest, and how many slides came to rest.
 std::string velocities(const Ensembles& runs, const std::string& name) {
   const auto found = runs.find(name);
   if (found == runs.end()) return "-";
   const Ensemble& slides = found->second;
   const std::vector<double> stopped = values_of(slides, "sliding_stopped");
-  return fmt::format("{:.2f}, {:.2f}; {:.0f} of {} stop", statistics_of(slides, "velocity_after_pulse").median,
-                     statistics_of(slides, "largest_velocity").median,
-                     std::accumulate(stopped.begin(), stopped.end(), 0.0), slides.size());
+  return fmt::format("{}, {}; {:.0f} of {} stop", velocity(slides, "velocity_after_pulse"),
+                     velocity(slides, "largest_velocity"), std::accumulate(stopped.begin(), stopped.end(), 0.0),
+                     slides.size());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::vector<Metric> contact_metrics(const Assembly& grains, const Material& mate
   if (!free.empty())
     add("largest_free_overlap", *std::max_element(free.begin(), free.end()), "m",
         "largest overlap of two mobile grains at the end");
-  add("stable_time_step", stable_time_step(grains, material, time_step), "s", "stable time step at the end");
+  add("stable_time_step", stable_time_step(grains, material, time_step), "s", "0.8 of a stable time step at the end");
   return metrics;
 }
 

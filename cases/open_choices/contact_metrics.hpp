@@ -9,10 +9,10 @@
 namespace flowslide {
 
 /// Metrics of the contacts of a sample, which say what bounds its time step:
-///   median_overlap, largest_overlap    m, of all contacts; left out without contacts
+///   median_overlap, largest_overlap    m, of the contacts (see touching_pairs); left out without contacts
 ///   largest_free_overlap               m, of the contacts of two mobile grains; left out without such contacts
 ///   stable_time_step                   s, see sample/stable_time_step.hpp; left out if infinite
-/// `time_step` (s) is the present step.
+/// `time_step` (s) is a first guess of it.
 std::vector<Metric> contact_metrics(const Assembly& grains, const Material& material, double time_step);
 
 }  // namespace flowslide

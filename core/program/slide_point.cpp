@@ -41,11 +41,6 @@ double predicted_seconds(const SampleRecipe& recipe, double steps, const std::st
   return steps * sites * seconds_per_grain_and_step(engine);
 }
 
-/// The share of the local steps that is left if dt_L follows the contacts. A liquefied sample takes the largest step.
-double saving(const std::optional<AdaptiveTimeStep>& adaptive) {
-  return adaptive ? adaptive->smallest / adaptive->largest : 1.0;
-}
-
 /// The engine of a point. `common` is the engine of the case.
 std::string engine_of(const Tables& table, const std::string& common) {
   if (!table.has("engine")) return common;
@@ -68,8 +63,7 @@ void read_test(const Configuration& configuration, std::vector<std::string> tabl
   read.point.description = fmt::format("sample {} (seed {}) alone, {:.3g} /s to {:.3g} %", read.sample.name,
                                        read.sample.recipe.packing.seed, read.test->shear_rate,
                                        100.0 * read.test->final_strain);
-  const double fewer_steps = steps * saving(read.test->adaptive);
-  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, fewer_steps, read.engine);
+  read.point.predicted_seconds = predicted_seconds(read.sample.recipe, steps, read.engine);
 }
 
 std::string describe_slide(const SlidePoint& point, const std::string& scheme) {
@@ -181,7 +175,7 @@ double predicted_steps(const SlideSettings& settings, const StopConditions& stop
   if (const auto* rule = std::get_if<ConstantStrainRate>(&settings.rate)) duration = strain / rule->rate;
   const bool waits = std::holds_alternative<AccumulateAndReset>(settings.passing.rule) ||
                      std::holds_alternative<CarryRemainder>(settings.passing.rule);
-  return duration / settings.passing.time_step * saving(settings.adaptive) + (waits ? 0.0 : time / settings.time_step);
+  return duration / settings.passing.time_step + (waits ? 0.0 : time / settings.time_step);
 }
 
 }  // namespace flowslide
