@@ -23,13 +23,17 @@ function(source_code_of variable file)
 endfunction()
 
 # sources_with_includes(<variable> <root> <files>...): these files below <root>, the files below it that they include,
-# the .cpp files beside these headers, and so on. Sorted; names of files that are not there are left out.
+# the .cpp files beside these headers, and so on. Sorted; names of files that are not there are left out, and files that
+# match the regular expression in source_hash_except, if it is set.
 function(sources_with_includes variable root)
   set(pending ${ARGN})
   set(found "")
   while(pending)
     list(POP_FRONT pending file)
     if(file IN_LIST found OR NOT EXISTS ${root}/${file})
+      continue()
+    endif()
+    if(source_hash_except AND file MATCHES "${source_hash_except}")
       continue()
     endif()
     list(APPEND found ${file})
@@ -59,11 +63,13 @@ function(hash_of_sources variable root flags)
   set(${variable} ${hash} PARENT_SCOPE)
 endfunction()
 
-# flowslide_source_hash(<variable> <files or patterns below core>... [FLAGS <options>...]): the same for this project,
-# with options of the compiler for these files alone. An edit of one of the files, or a new one that a pattern matches,
+# flowslide_source_hash(<variable> <files or patterns below core>... [EXCEPT <regular expression>] [FLAGS <options>...]):
+# the same for this project, without the files that match the expression, and with options of the compiler for these
+# files alone. An edit of one of the files, or a new one that a pattern matches,
 # configures the build anew.
 function(flowslide_source_hash variable)
-  cmake_parse_arguments(ARG "" "" "FLAGS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCEPT" "FLAGS" ${ARGN})
+  set(source_hash_except "${ARG_EXCEPT}")
   set(root ${PROJECT_SOURCE_DIR}/core)
   list(TRANSFORM ARG_UNPARSED_ARGUMENTS PREPEND ${root}/ OUTPUT_VARIABLE patterns)
   file(GLOB roots CONFIGURE_DEPENDS RELATIVE ${root} ${patterns})

@@ -94,6 +94,7 @@ void UndrainedCase::compare(const Ensembles&, std::map<std::string, double>& met
 }
 
 std::vector<double> UndrainedCase::picture_strains(const SlidePoint& point) const {
+  if (point.replicate != 0) return {};  // one picture: that of the first sample
   const auto strain = picture_strains_.find(point.name);
   return strain == picture_strains_.end() ? std::vector<double>{} : frame_strains(strain->second);
 }

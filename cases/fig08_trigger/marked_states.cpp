@@ -51,7 +51,12 @@ std::string marked_states_head() {
        {"liquefied_shear_stress", "tau", "Pa", "shear stress at that time", downslope, {}},
        {"liquefied_normal_stress", "sigma", "Pa", "normal stress at that time", compression, {}},
        {"liquefied_velocity", "v", "m/s", "sliding velocity at that time", downslope, {}},
-       {"liquefied_global_inertial_number", "I", "1", "inertial number of the rate of the slope at that time", "", {}}});
+       {"liquefied_global_inertial_number",
+        "I",
+        "1",
+        "inertial number of the rate of the slope at that time",
+        "",
+        {}}});
 }
 
 std::string marked_states_row(const std::string& slide, const Result& result) {

@@ -30,7 +30,8 @@ void label_profiles(Legend& legend, const std::vector<SlidePoint>& points, const
     for (std::size_t i = 0; i < point.profiles.strains.size() && point.replicate == 0 && point.name == slide; ++i) {
       const double strain = point.profiles.strains[i];
       legend.add(fmt::format("profile_{}", i + 1), fmt::format("γ = {:.3g} %", 100.0 * strain));
-      legend.add(fmt::format("profile_{}_is", i + 1), strain >= liquefied ? "after liquefaction" : "before liquefaction");
+      legend.add(fmt::format("profile_{}_is", i + 1),
+                 strain >= liquefied ? "after liquefaction" : "before liquefaction");
     }
 }
 

@@ -80,11 +80,12 @@ std::string choices_table(const Ensembles& runs) {
       for (const char* scheme : {"RD", "RI"})
         if (any == nullptr) any = result_of(runs, stem + scheme);
       if (any == nullptr) continue;
-      table += fmt::format("| 0.{} | {} | {}, {} | {} | {} | {} | {} | {} |\n", sample, text,
-                           number(any, "initial_void_ratio", "{:.3f}"), number(any, "initial_probe_void_ratio", "{:.3f}"),
-                           number(shear, "peak_shear_stress", "{:.1f}", 1e-3), class_of(shear),
-                           number(shear, "strain_above_1", "{:.0f}", 100.0), velocities(runs, stem + "RD"),
-                           velocities(runs, stem + "RI"));
+      table +=
+          fmt::format("| 0.{} | {} | {}, {} | {} | {} | {} | {} | {} |\n", sample, text,
+                      number(any, "initial_void_ratio", "{:.3f}"), number(any, "initial_probe_void_ratio", "{:.3f}"),
+                      number(shear, "peak_shear_stress", "{:.1f}", 1e-3), class_of(shear),
+                      number(shear, "strain_above_1", "{:.0f}", 100.0), velocities(runs, stem + "RD"),
+                      velocities(runs, stem + "RI"));
     }
   return table;
 }

@@ -113,9 +113,11 @@ std::string answers_table(const Ensembles& slides) {
   add_answers(slides, fitted);
   if (fitted.contains("mu_s"))
     row("mu(I) fitted", "-",
-        fmt::format("mu_s = {:.3f}, mu_2 = {:.3f}, I_0 = {:.3g}; states differ by {:.2g}, from the law of glass beads by "
-                    "{:.2g}", fitted["mu_s"], fitted["mu_2"], fitted["I_0"], fitted["mu_deviation"],
-                    fitted["mu_deviation_of_glass_beads"]));
+        fmt::format(
+            "mu_s = {:.3f}, mu_2 = {:.3f}, I_0 = {:.3g}; states differ by {:.2g}, from the law of glass beads by "
+            "{:.2g}",
+            fitted["mu_s"], fitted["mu_2"], fitted["I_0"], fitted["mu_deviation"],
+            fitted["mu_deviation_of_glass_beads"]));
   return table;
 }
 

@@ -38,7 +38,7 @@ std::vector<Metric> held_metrics(const RunMeasures& measures, const Series& prof
   std::vector<Metric> metrics{{"steady_friction", steady("shear_stress") / steady("normal_stress"), "1",
                                "mu_ss, mean tau over mean sigma beyond 50 % strain"},
                               {"final_velocity", final_velocity, "m/s", "sliding velocity at the end"}};
-  for (std::size_t i = 1; i <= profiles.columns.size() / 3; ++i)
+  for (std::size_t i = 1; profiles.has(fmt::format("velocity_{}", i)); ++i)
     metrics.push_back({fmt::format("linearity_{}", i), linearity(profiles, fmt::format("velocity_{}", i)), "1",
                        "R^2 of a straight line through the velocity profile"});
   return metrics;

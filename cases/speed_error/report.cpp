@@ -178,7 +178,8 @@ std::string label_of(const std::string& setting, Scene scene) {
 std::string markdown(const Report& report) {
   std::string text =
       "Error against the reference of the axis, in percent: mean of the differences over the seeds ± its standard\n"
-      "error, in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one process\n"
+      "error, in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one "
+      "process\n"
       "in the sample alone. x LIGGGHTS: as fast as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
   for (const Scene scene : all_scenes) text += table_of(report, scene);
   text += "### The cheapest settings whose error is below the noise\n\n";

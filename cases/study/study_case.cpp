@@ -45,7 +45,8 @@ void refuse_unusual_schemes(const Configuration& configuration, const std::vecto
 void refuse_fixed_key(const Configuration& configuration, const Sweep& sweep, const std::string& sample) {
   for (const std::string& key : sweep.replaced(configuration, sample))
     if (configuration.is_users(key))
-      configuration.refuse(key, fmt::format("is fixed here, but it is also swept ({})", configuration.place_of({"sweep"})),
+      configuration.refuse(key,
+                           fmt::format("is fixed here, but it is also swept ({})", configuration.place_of({"sweep"})),
                            fmt::format("remove \"{}\" to sweep it, or \"{}\" to keep it fixed", key, sweep.key));
 }
 

@@ -93,6 +93,12 @@ Verdict judge(const Claim& claim, const std::map<std::string, double>& metrics) 
   return verdict;
 }
 
+/// Whether a name ends like that of a further replicate: "_r2".
+bool is_replicate_ending(std::string_view ending) {
+  return ending.starts_with("_r") && ending.size() > 2 &&
+         ending.find_first_not_of("0123456789", 2) == std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view symbol_of(Relation relation) {
@@ -115,8 +121,21 @@ std::string Claim::expectation() const {
 
 bool ClaimsFile::is_figure_only(std::string_view run) const {
   return std::any_of(figure_only.begin(), figure_only.end(), [&](const std::string& name) {
-    return run == name || (run.starts_with(name) && run.substr(name.size()).starts_with("_r"));
+    return run == name || (run.starts_with(name) && is_replicate_ending(run.substr(name.size())));
   });
+}
+
+std::set<std::string> figures_in(const std::string& text) {
+  std::set<std::string> figures;
+  if (!text.starts_with("Fig")) return figures;
+  for (std::size_t start = text.find(' '); start != std::string::npos; start = text.find(' ', start)) {
+    const std::size_t end = text.find(' ', ++start);
+    std::string word = text.substr(start, end == std::string::npos ? end : end - start);
+    if (!word.empty() && std::isdigit(static_cast<unsigned char>(word.front())) != 0)
+      while (std::isupper(static_cast<unsigned char>(word.back())) != 0) word.pop_back();
+    figures.insert(word);
+  }
+  return figures;
 }
 
 ClaimsFile load_claims(const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,6 +84,10 @@ std::vector<Verdict> not_evaluated(std::vector<Verdict> verdicts, const std::str
 
 /// Whether at least one claim is evaluated and not met.
 bool is_one_not_met(const std::vector<Verdict>& verdicts);
+
+/// The figures that a claim's `figure` names, without the letters of panels: {"6", "7"} for "Figs. 6C and 7C",
+/// {"speed_error"} for "Fig. speed_error"; none for a section.
+std::set<std::string> figures_in(const std::string& text);
 
 /// Table for a terminal, with aligned columns: `met`, `NOT MET` or `not evaluated`; figure; claim; expected; measured.
 /// Below each claim that is not met or not evaluated: the reason and the statement of the paper.

@@ -12,8 +12,8 @@
 namespace flowslide {
 namespace {
 
-/// A cell of a Markdown table: escapes bars and what would be a tag of HTML, such as "<tau>", and replaces line breaks by
-/// blanks.
+/// A cell of a Markdown table: escapes bars and what would be a tag of HTML, such as "<tau>", and replaces line breaks
+/// by blanks.
 std::string markdown_cell(std::string_view text) {
   std::string cell;
   for (std::size_t i = 0; i < text.size(); ++i) {

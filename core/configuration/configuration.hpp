@@ -47,10 +47,10 @@ class Configuration {
   /// A copy of this configuration with one more layer, which wins over the others.
   Configuration overlaid(std::string_view toml, const std::string& origin) const;
 
-  /// A copy in which `key` has the value at `list`: item `item` (from 0) of a list, or a single value (item 0). Messages
-  /// name the place of this item. No value of the copy counts as read. Tables above `key` that do not exist are added as
-  /// tables of the case. Throws ConfigurationError if `list` is missing and as overlay(), std::out_of_range if there is
-  /// no such item.
+  /// A copy in which `key` has the value at `list`: item `item` (from 0) of a list, or a single value (item 0).
+  /// Messages name the place of this item. No value of the copy counts as read. Tables above `key` that do not exist
+  /// are added as tables of the case. Throws ConfigurationError if `list` is missing and as overlay(),
+  /// std::out_of_range if there is no such item.
   Configuration with_item(const std::string& key, std::string_view list, std::size_t item) const;
   /// Records what was asked of `variant`, a copy of this configuration from with_item(): the keys that are known, and
   /// the values that were read, except those that the variant replaces.

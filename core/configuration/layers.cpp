@@ -39,8 +39,10 @@ std::vector<std::string> scales_of(const std::vector<Entry>& file) {
   std::vector<std::string> scales;
   for (const Entry& entry : file) {
     if (entry.key == "scale" && entry.kind != Entry::Kind::table)
-      throw ConfigurationError(fmt::format("{}: scale = {} is a value, but [scale] holds one table per scale; choose the "
-                                           "scale with --scale", entry.key_place.text(), entry.whole.written));
+      throw ConfigurationError(
+          fmt::format("{}: scale = {} is a value, but [scale] holds one table per scale; choose the "
+                      "scale with --scale",
+                      entry.key_place.text(), entry.whole.written));
     if (!stands_below(entry.key, "scale") || entry.key.find('.', 6) != std::string::npos) continue;
     const std::string name = entry.key.substr(6);
     if (entry.kind != Entry::Kind::table)
@@ -96,8 +98,8 @@ void lay_user_file(LaidEntries& laid, const Layers& layers, const std::vector<st
     if (std::find(scales.begin(), scales.end(), name) != scales.end()) continue;
     const auto table =
         std::find_if(file.begin(), file.end(), [&](const Entry& entry) { return entry.key == "scale." + name; });
-    throw ConfigurationError(fmt::format("{}: there is no scale \"{}\" in {}; there is {}", table->key_place.text(), name,
-                                         layers.case_file.string(), list_of(scales)));
+    throw ConfigurationError(fmt::format("{}: there is no scale \"{}\" in {}; there is {}", table->key_place.text(),
+                                         name, layers.case_file.string(), list_of(scales)));
   }
   lay_over(laid, std::move(file), layers.scale);
 }

@@ -42,7 +42,8 @@ std::string nearest(std::string_view text, const std::vector<std::string>& candi
       best = candidate;
     }
   }
-  return least <= std::max<std::size_t>(1, std::max(text.size(), best.size()) / 2) || best.starts_with(text) ? best : "";
+  return least <= std::max<std::size_t>(1, std::max(text.size(), best.size()) / 2) || best.starts_with(text) ? best
+                                                                                                             : "";
 }
 
 std::string did_you_mean(std::string_view text, const std::vector<std::string>& candidates, std::string otherwise) {

@@ -35,7 +35,8 @@ void Tables::accept(std::initializer_list<const char*> names, const std::string&
     for (const char* name : names) configuration_.accept(table + "." + name, reason);
 }
 
-std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name) {
+std::vector<std::string> with_like(const Configuration& configuration, const std::string& list,
+                                   const std::string& name) {
   std::vector<std::string> tables{list + "." + name};
   for (std::string key = tables.front() + ".like"; configuration.has(key); key = tables.back() + ".like") {
     const std::string next = list + "." + configuration.text(key, configuration.subtables(list));

@@ -76,7 +76,8 @@ class Tables {
 /// The tables in which keys of [<list>.<name>] are looked up: the table itself; with `like = "other"`, then
 /// [<list>.other]; and so on for its own `like`. Throws ConfigurationError if a table does not exist, or if the chain
 /// of `like` returns to one of its tables.
-std::vector<std::string> with_like(const Configuration& configuration, const std::string& list, const std::string& name);
+std::vector<std::string> with_like(const Configuration& configuration, const std::string& list,
+                                   const std::string& name);
 
 /// Order of lookup: the tables `name` below each of `tables`, then `others`.
 TableNames within(std::vector<std::string> tables, const std::string& name, const std::vector<std::string>& others);

@@ -61,8 +61,8 @@ static_assert(lists_every_member<EngineSettings>());
 
 /// An engine of the discrete element method with velocity Verlet and the contact law that the material names (see
 /// grains/laws/contact_laws.hpp). The history of a contact is cleared when it opens. One object simulates one assembly,
-/// and any number of objects may live side by side. Every call is collective over the ranks of the communicator that the
-/// engine was given, and returns the same values on all of them. Failures throw EngineError.
+/// and any number of objects may live side by side. Every call is collective over the ranks of the communicator that
+/// the engine was given, and returns the same values on all of them. Failures throw EngineError.
 class Engine {
  public:
   virtual ~Engine() = default;

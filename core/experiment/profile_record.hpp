@@ -28,12 +28,14 @@ struct ProfilePlan {
   ProfileReading read = ProfileReading::mean;
 
   /// Shear strain of snapshot `number` (from 0) of a profile, and of its last snapshot.
-  double strain_of(std::size_t profile, int number) const { return strains[profile] * (1.0 + window * number / snapshots); }
+  double strain_of(std::size_t profile, int number) const {
+    return strains[profile] * (1.0 + window * number / snapshots);
+  }
   double last_strain(std::size_t profile) const { return strain_of(profile, snapshots - 1); }
 };
 
-/// One snapshot of the sublayers and of the sample, or a sum of snapshots. Vectors of shape (sublayers), from the bottom
-/// up.
+/// One snapshot of the sublayers and of the sample, or a sum of snapshots. Vectors of shape (sublayers), from the
+/// bottom up.
 struct ProfileValues {
   std::vector<double> velocity, shear, normal;  ///< m/s, Pa, Pa
   double top_velocity = 0.0, sample_shear = 0.0, sample_normal = 0.0;
@@ -63,8 +65,9 @@ class ProfileRecord {
   /// Throws NumericalFailure if a sublayer contains no solid.
   void take(double strain, const DemSample& sample);
   /// The profiles so far: with ProfileReading::mean the complete ones, otherwise those with a first snapshot; the mean
-  /// stands beside it once it is complete. What is read of a sample that does not move or bears no stress has no ratios. This profile
-  /// and all later ones are left out; the columns of what is not read are left out where they have no ratios.
+  /// stands beside it once it is complete. What is read of a sample that does not move or bears no stress has no
+  /// ratios. This profile and all later ones are left out; the columns of what is not read are left out where they have
+  /// no ratios.
   Series series() const;
 
   /// The state for a checkpoint. `restore` continues from it and throws std::invalid_argument if it does not fit this

@@ -124,9 +124,12 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
         fmt::format("an element test of {} rows, {} of them measured, cannot continue from {} and "
                     "{}",
                     kept.size(), fixed.size(), k, m));
+  const auto bears_the_end = [&] {
+    return m > 0 && record.measured.last("normal_stress") >= test.end_normal_stress;
+  };
   std::int64_t done = std::max(k > 0 ? kept[k - 1] : 0, m > 0 ? fixed[m - 1] : 0);
   sample.start_linear_at_first_strain();  // the row before the first strain shows the sample at rest
-  while (k < kept.size() || m < fixed.size()) {
+  while ((k < kept.size() || m < fixed.size()) && !bears_the_end()) {
     const bool keep = k < kept.size() && (m == fixed.size() || kept[k] <= fixed[m]);
     const bool measure = m < fixed.size() && (k == kept.size() || fixed[m] <= kept[k]);
     const std::int64_t at = keep ? kept[k] : fixed[m];
@@ -140,7 +143,6 @@ ShearTestRecord run_shear_test(DemSample& sample, const ShearTest& test, const R
     m += measure ? 1 : 0;
     k += keep ? 1 : 0;
     if (keep && observe) observe(done, assembly, record);
-    if (measure && sample.stress().normal >= test.end_normal_stress) break;
   }
   return record;
 }

@@ -14,8 +14,8 @@ double void_ratio(const Assembly& assembly);
 /// no solid is between the planes.
 double void_ratio_of_bulk(const Assembly& assembly, double margin);
 
-/// Void ratio of a probe without the outer 7.5 % of the height at the bottom and at the top, as the public input decks of
-/// the paper's first author take it. Away from the planes a packing is denser.
+/// Void ratio of a probe without the outer 7.5 % of the height at the bottom and at the top, as the public input decks
+/// of the paper's first author take it. Away from the planes a packing is denser.
 double probe_void_ratio(const Assembly& assembly);
 
 /// Volume (m^3) of the part of a sphere below a horizontal plane that is `height` (m) above its centre; `height` is

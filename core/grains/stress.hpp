@@ -21,12 +21,12 @@ namespace flowslide {
 ///
 /// With (2), the z row needs no loop over pairs, in equilibrium and out of it:
 ///   sigma_z. = [ sum over mobile grains of z f - H F_top ] / V,
-/// with z measured from the bottom plane, H the height of the cell, f the contact forces on a grain, and F_top the force
-/// of the top boundary, layer and plane, on the mobile grains. Proof: let f be the force of a glued grain g on a mobile
-/// grain p. The pair gives (z_p - z_g) f. The glue holds g with +f and gives -(z_e - z_g) f. The sum is (z_p - z_e) f:
-/// z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, and pairs of mobile grains give
-/// z_1 f_1 + z_2 f_2. Assumptions: the two layers do not touch each other, and x and y are periodic. The planes of a
-/// rigid lateral axis push the grains but carry no stress on horizontal sections. If z is periodic, no grain is glued.
+/// with z measured from the bottom plane, H the height of the cell, f the contact forces on a grain, and F_top the
+/// force of the top boundary, layer and plane, on the mobile grains. Proof: let f be the force of a glued grain g on a
+/// mobile grain p. The pair gives (z_p - z_g) f. The glue holds g with +f and gives -(z_e - z_g) f. The sum is (z_p -
+/// z_e) f: z_p f at the bottom and (z_p - H) f at the top. A plane gives the same, and pairs of mobile grains give z_1
+/// f_1 + z_2 f_2. Assumptions: the two layers do not touch each other, and x and y are periodic. The planes of a rigid
+/// lateral axis push the grains but carry no stress on horizontal sections. If z is periodic, no grain is glued.
 Matrix3 bagi_stress(const Assembly& assembly, const ContactForces& forces);
 
 /// Second term of Nicot's stress, Pa (eq. 13). As printed, tension positive,

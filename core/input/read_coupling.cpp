@@ -40,13 +40,29 @@ std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
                        coupling.positive("rested_strain", dimension::dimensionless)};
 }
 
+/// Refuses a rest where the strain that it leaves out would be missed (see LiquefiedRest).
+void check_rest(const Tables& coupling, const SlideSettings& settings) {
+  if (!settings.rest) return;
+  if (!std::holds_alternative<ConstantInertialNumber>(settings.rate))
+    coupling.refuse("rest_stress",
+                    fmt::format("leaves strain out, and {} = \"{}\" passes the rate of the slope, at which a liquefied "
+                                "sample bears stress", coupling.key("rate"), coupling.text("rate")),
+                    "use it with rate = \"constant_inertial_number\" (RI), or leave it out");
+  if (settings.slope.hydraulic_conductivity > 0.0)
+    coupling.refuse("rest_stress",
+                    fmt::format("leaves strain out, and with a hydraulic conductivity of {} m/s this is compression, "
+                                "too, by which the sample would regain strength",
+                                settings.slope.hydraulic_conductivity),
+                    "leave it out, or use hydraulic_conductivity = 0");
+}
+
 /// Why the keys that the choice at `name` does not read have no effect.
 std::string not_used_by(const Tables& table, const char* name) {
   return fmt::format("{} = \"{}\" does not use it", name, table.text(name));
 }
 
-/// The allowed values of most_steps: at least n_accum, `fewest`. Refuses an n_accum of the user above most_steps, because
-/// then n_accum is the cause.
+/// The allowed values of most_steps: at least n_accum, `fewest`. Refuses an n_accum of the user above most_steps,
+/// because then n_accum is the cause.
 Range most_steps_range(const Configuration& configuration, const Tables& table, std::int64_t fewest) {
   if (configuration.is_users(table.key("n_accum"))) {
     const std::int64_t most = table.integer("most_steps", Range::between(1, most_steps_allowed));
@@ -66,24 +82,29 @@ void check_stability(const Tables& table, double time_step, double limit, const 
                "choose a smaller step, or give --allow-unstable to see what happens");
 }
 
-/// Refuses n_accum if the slope would use a held stress for too long: see read_coupling. `swing_limit` is 2/omega, s.
+/// Refuses n_accum, or stress_interval without it, if the slope would use a held stress for too long: see
+/// read_coupling. `swing_limit` is 2/omega, s.
 void check_portions(const Tables& table, const SlideSettings& settings, double swing_limit) {
   double least = 1.0;
   if (const auto* carry = std::get_if<CarryRemainder>(&settings.passing.rule))
     least = static_cast<double>(carry->least_steps);
   if (const auto* reset = std::get_if<AccumulateAndReset>(&settings.passing.rule))
     least = static_cast<double>(reset->least_steps);
-  if (least == 1.0) return;
-  const double duration = least * settings.passing.time_step;
+  const double longest_step =
+      settings.adaptive ? std::max(settings.adaptive->largest, settings.passing.time_step) : settings.passing.time_step;
+  const auto between_measurements = static_cast<double>(settings.stress_interval);
+  if (least == 1.0 && between_measurements == 1.0) return;
+  const char* key = least == 1.0 ? "stress_interval" : "n_accum";
+  const double duration = least * between_measurements * longest_step;
   const bool at_own_rate = std::holds_alternative<ConstantStrainRate>(settings.rate) ||
                            std::holds_alternative<ConstantInertialNumber>(settings.rate);
   if (!at_own_rate && duration > swing_limit)
-    table.refuse("n_accum",
+    table.refuse(key,
                  fmt::format("holds the stress for {:.3g} s while the slope oscillates: at most {:.3g} s, 2/omega, is "
                              "allowed", duration, swing_limit), "choose a smaller one");
   const double portion = duration * rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
   if (portion > largest_portion)
-    table.refuse("n_accum",
+    table.refuse(key,
                  fmt::format("passes a strain of {:.3g} at once, which may hide the peak of the shear stress: at most "
                              "{:.3g} is allowed", portion, largest_portion), "choose a smaller one");
 }
@@ -201,6 +222,7 @@ SlideSettings read_coupling(const Configuration& configuration, const TableNames
     settings.stress_interval = coupling.integer("stress_interval", Range::between(1, most_steps_allowed));
   settings.adaptive = read_adaptive_time_step(configuration, tables, settings.passing.time_step);
   settings.rest = read_rest(coupling);
+  check_rest(coupling, settings);
   const double shear_modulus = coupling.positive("shear_modulus", dimension::stress);
   settings.oedometric_modulus = coupling.positive("oedometric_modulus", dimension::stress);
   if (coupling.flag("allow_unstable")) return settings;

@@ -36,8 +36,8 @@ std::vector<InputTable> loading_inputs(const Configuration& configuration, const
 RateRule read_rate_rule(const Configuration& configuration, const TableNames& tables, const GrainScale& grains,
                         double initial_normal_stress);
 
-/// Reads dt_L (s) from local_time_step. `moved` is the recipe of the sample whose grains make these steps; dt_L must not
-/// exceed their longest time step. Null: the sample is a closed form, and any positive step is allowed.
+/// Reads dt_L (s) from local_time_step. `moved` is the recipe of the sample whose grains make these steps; dt_L must
+/// not exceed their longest time step. Null: the sample is a closed form, and any positive step is allowed.
 double read_local_time_step(const Configuration& configuration, const TableNames& tables, const SampleRecipe* moved);
 
 /// Reads largest_local_time_step (s), with which dt_L follows the contacts from `smallest` (s) on. Empty without this
@@ -53,21 +53,23 @@ StrainPassing read_strain_passing(const Configuration& configuration, const Tabl
 /// Largest strain that n_accum steps may pass at once. Loose samples reach their peak at a strain of about 5e-3.
 inline constexpr double largest_portion = 1e-3;
 
-/// Reads all settings of a slide except its loading (see read_loading). Keys beside those of the two readers above:
+/// Reads all settings of a slide except its loading (see read_loading). Keys beside those of the readers above:
 /// time_step; consolidation = "euler" or "exponential"; residual = "fades", "left_out" or "stays"; shear_modulus and
 /// oedometric_modulus (upper bounds for the sample, Pa); allow_unstable. Optional keys: initial_velocity,
-/// stress_interval, largest_local_time_step (see AdaptiveTimeStep), and rest_stress with probed_strain and rested_strain (see LiquefiedRest).
+/// stress_interval, and rest_stress with probed_strain and rested_strain (see LiquefiedRest), which are refused with
+/// another rate than "constant_inertial_number" and on a slope that drains.
 ///
 /// Unless allow_unstable, three values are refused. dt_G must not exceed the limits of stability of sliding and, with
-/// "euler", of consolidation. If the sample is sheared at the rate of the slope, n_accum dt_L must not exceed the limit
-/// of sliding: the slope would oscillate while the stress is held. The strain that n_accum steps pass at the initial
-/// rate must not exceed `largest_portion`: the peak of the shear stress would lie between two measurements.
+/// "euler", of consolidation. The stress is held for n_accum stress_interval steps of dt_L, or of its largest value. If
+/// the sample is sheared at the rate of the slope, this time must not exceed the limit of sliding: the slope would
+/// oscillate. The strain that these steps pass at the initial rate must not exceed `largest_portion`: the peak of the
+/// shear stress would lie between two measurements.
 ///
 /// `grains` gives the inertial numbers. `moved` is as for read_local_time_step.
 SlideSettings read_coupling(const Configuration& configuration, const TableNames& tables, const SlopeProperties& slope,
                             const GrainScale& grains, const SampleRecipe* moved = nullptr);
 
-/// Reads end_time; end_shear_strain and sliding_velocity are optional.
+/// Reads end_time; end_shear_strain, end_velocity and sliding_velocity are optional.
 StopConditions read_stop(const Configuration& configuration, const TableNames& tables);
 
 /// Reads most_rows, and at least one of row_interval (s) and row_strain.

@@ -107,7 +107,8 @@ Material read_material(const Configuration& configuration, const TableNames& tab
 std::vector<std::string> samples_in_use(const Configuration& configuration) {
   std::set<std::string> named;
   for (const std::string& point : configuration.subtables("point"))
-    if (const std::string key = "point." + point + ".sample"; configuration.has(key)) named.insert(configuration.text(key));
+    if (const std::string key = "point." + point + ".sample"; configuration.has(key))
+      named.insert(configuration.text(key));
   std::vector<std::string> samples = configuration.subtables("sample");
   std::erase_if(samples, [&](const std::string& name) {
     return configuration.is_of_base("sample." + name) && !named.contains(name);

@@ -46,8 +46,8 @@ std::vector<std::string> samples_in_use(const Configuration& configuration);
 std::vector<SampleSpecification> read_samples(const Configuration& configuration, const SlopeProperties& slope,
                                               int replicate);
 
-/// Reads a time step of grains (s) from `key`. Refuses a value above the longest step for this smallest diameter (m) and
-/// material, a fraction of the Rayleigh time (see longest_time_step).
+/// Reads a time step of grains (s) from `key`. Refuses a value above the longest step for this smallest diameter (m)
+/// and material, a fraction of the Rayleigh time (see longest_time_step).
 double read_grain_time_step(const Configuration& configuration, const std::string& key, double smallest_diameter,
                             const Material& material);
 

@@ -44,7 +44,8 @@ const MpiSession& session() {
 /// Whether there may be other ranks: a launcher such as mpirun has started this process, or the caller has started MPI.
 /// Otherwise MPI is started only when LIGGGHTS needs it, because the start takes a third of a second.
 bool may_have_ranks() {
-  static const bool launched = std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
+  static const bool launched =
+      std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
   int initialized = 0;
   MPI_Initialized(&initialized);
   return launched || initialized;

@@ -54,9 +54,8 @@ std::string count_text(double count) {
   return fmt::format("{:.{}f}{}", scaled, decimals, thousands ? "k" : "M");
 }
 
-ProgressStyle ProgressStyle::of_stderr(int rank, bool silent) {
+ProgressStyle ProgressStyle::of_stderr(int rank) {
   ProgressStyle style;
-  style.silent = silent;
   style.rank = rank;
   const char* kind = std::getenv("TERM");
   style.terminal = ::isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";

@@ -23,7 +23,7 @@ struct ProgressStyle {
   std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
 
   /// The style for stderr: a terminal with its width, or a file.
-  static ProgressStyle of_stderr(int rank = 0, bool silent = false);
+  static ProgressStyle of_stderr(int rank = 0);
   /// Writes a line at once, unless silent.
   void say(std::string_view line) const;
 };

@@ -67,8 +67,9 @@ class Case {
   /// Prints the plan of a run for --dry-run: engine commands and steps. Collective over the MPI ranks, because all
   /// ranks make the engine; only the output of the first rank is shown.
   virtual void print_plan(const Point& point, std::ostream& out) const = 0;
-  /// Finds the sample of a run in the cache, or prepares it and stores it there. Collective over the MPI ranks.
-  virtual void prepare(const Point&, const ProgressStyle&, const PreparationPoll&) const {}
+  /// Finds the sample of a run in the cache, or prepares it on `threads` threads (0: as many as suit its size) and
+  /// stores it there. Collective over the MPI ranks.
+  virtual void prepare(const Point&, int /*threads*/, const ProgressStyle&, const PreparationPoll&) const {}
   /// Runs a point from its last checkpoint, or from the start, and writes its files. <point>.h5 is written last: with
   /// it the run is complete, and the program deletes its checkpoints. Collective over the MPI ranks.
   virtual void run(const Point& point, const PointRun& run) const = 0;

@@ -153,7 +153,7 @@ class CaseProgram {
     std::set<std::string> prepared{""};
     for (const Point& point : points_)
       if (chosen_.contains(point.name) && prepared.insert(point.sample).second)
-        case_.prepare(point, ProgressStyle::of_stderr(mpi_rank()), poll);
+        case_.prepare(point, options_.threads, ProgressStyle::of_stderr(mpi_rank()), poll);
     return to_int(ExitCode::ok);
   }
 
@@ -171,7 +171,8 @@ class CaseProgram {
     if (!first_rank()) return to_int(ExitCode::ok);
     const std::string& name = case_.description().name;
     const OutputFolder output = OutputFolder::open_existing(options_.output, name);
-    const OutputFolder copy = OutputFolder::open(output.file("so_far"), name);
+    // Another name keeps --check and further runs away from results that are not complete.
+    const OutputFolder copy = OutputFolder::open(output.file("so_far"), name + ", unfinished (--so-far)");
     std::map<std::string, RunIdentity> chosen;
     for (const Point& point : points_) {
       if (chosen_.contains(point.name))
@@ -263,8 +264,10 @@ class CaseProgram {
     std::vector<Claim> claims = claims_at(claims_.claims, options_.scale);
     if (!options_.points.empty()) std::erase_if(claims, [&](const Claim& claim) { return !concerns(claim); });
     std::vector<Verdict> verdicts = evaluate(claims, metrics);
-    if (const std::string reason = reason_not_to_evaluate(); !reason.empty()) verdicts = not_evaluated(verdicts, reason);
+    if (const std::string reason = reason_not_to_evaluate(); !reason.empty())
+      verdicts = not_evaluated(verdicts, reason);
     if (verdicts.empty()) {
+      for (const char* name : {"claims.md", "claims.json"}) std::filesystem::remove(output.file(name));
       if (options_.json) std::cout << json(verdicts);
       return to_int(ExitCode::ok);
     }
@@ -278,7 +281,8 @@ class CaseProgram {
   std::string reason_not_to_evaluate() const {
     std::vector<std::string> reasons;
     if (is_closed_form(engine()))
-      reasons.push_back(fmt::format("the claims are about samples of grains, and engine = \"{}\" has no grains", engine()));
+      reasons.push_back(
+          fmt::format("the claims are about samples of grains, and engine = \"{}\" has no grains", engine()));
     if (!changed_.empty()) reasons.push_back(fmt::format("not the paper's settings: {}", fmt::join(changed_, "; ")));
     return fmt::format("{}", fmt::join(reasons, "; "));
   }
@@ -305,16 +309,16 @@ class CaseProgram {
     return present;
   }
 
-  /// Whether a claim is about one of the chosen points, or about a figure that shows one of them.
+  /// Whether a claim is about one of the chosen points, or about a figure that shows one of them. Every claim is, if
+  /// all points are chosen.
   bool concerns(const Claim& claim) const {
+    if (chosen_.size() == points_.size()) return true;
+    const std::set<std::string> figures = figures_in(claim.figure);
     return std::any_of(points_.begin(), points_.end(), [&](const Point& point) {
-      if (!chosen_.contains(point.name)) return false;
-      return claim.metric.starts_with(point.name + ".") ||
-             std::any_of(point.figures.begin(), point.figures.end(), [&](const std::string& figure) {
-               const std::string start = "Fig. " + figure;
-               return claim.figure.starts_with(start) &&
-                      (claim.figure.size() == start.size() || !std::isdigit(claim.figure[start.size()]));
-             });
+      return chosen_.contains(point.name) &&
+             (claim.metric.starts_with(point.name + ".") ||
+              std::any_of(point.figures.begin(), point.figures.end(),
+                          [&](const std::string& figure) { return figures.contains(figure); }));
     });
   }
 

@@ -18,18 +18,6 @@ namespace {
 
 const std::vector<std::string> scale_names{"quick", "paper"};
 
-/// One word of a command, quoted for a POSIX shell where needed.
-std::string shell_word(std::string_view word) {
-  const auto plain = [](char c) {
-    constexpr std::string_view signs = "_-+=./:,@%";
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || signs.find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 constexpr std::size_t most_listed = 24;  ///< a message lists at most this number of names
 
 /// A check that accepts only one of `names`, and proposes the nearest one.
@@ -219,17 +207,14 @@ void fill(CommandLine& command_line, const Raw& raw, const CLI::App& app, const 
     command_line.overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1), "--set " + setting});
   }
   if (given("--config")) command_line.configuration_file = raw.configuration_file;
-  if (given("--engine")) {
-    command_line.engine = raw.engine;
+  if (given("--engine"))
     command_line.overrides.push_back({"engine", fmt::format("\"{}\"", raw.engine), "--engine " + raw.engine});
-  }
-  const auto number = [&](const char* key, std::int64_t value, std::optional<std::int64_t>& target) {
-    if (!given(fmt::format("--{}", key).c_str())) return;
-    target = value;
-    command_line.overrides.push_back({key, fmt::format("{}", value), fmt::format("--{} {}", key, value)});
+  const auto number = [&](const char* key, std::int64_t value) {
+    if (given(fmt::format("--{}", key).c_str()))
+      command_line.overrides.push_back({key, fmt::format("{}", value), fmt::format("--{} {}", key, value)});
   };
-  number("seed", raw.seed, command_line.seed);
-  number("replicates", raw.replicates, command_line.replicates);
+  number("seed", raw.seed);
+  number("replicates", raw.replicates);
   if (raw.allow_unstable) command_line.overrides.push_back({"coupling.allow_unstable", "true", "--allow-unstable"});
   if (given("--output") && raw.output.empty()) throw ConfigurationError("--output: the path is empty; name a folder");
   command_line.output = given("--output") ? std::filesystem::path(raw.output)
@@ -273,7 +258,6 @@ CommandLine parse(int argc, const char* const* argv, const CaseDescription& desc
     refuse(error, app, description);
   }
   fill(command_line, raw, app, description);
-  for (int i = 0; i < argc; ++i) command_line.text += (i > 0 ? " " : "") + shell_word(argv[i]);
   return command_line;
 }
 

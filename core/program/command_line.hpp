@@ -27,9 +27,6 @@ struct CommandLine {
   std::optional<std::filesystem::path> configuration_file;  ///< --config
   std::vector<Override> overrides;                          ///< --set, and other options that set a key
   std::string scale = "quick";                              ///< --scale
-  std::optional<std::string> engine;                        ///< --engine; without it the key `engine` decides
-  std::optional<std::int64_t> seed;                         ///< --seed; without it the key `seed` decides
-  std::optional<std::int64_t> replicates;                   ///< --replicates; without it the key `replicates` decides
   std::filesystem::path output;                             ///< --output; without it results/<case>/<scale>
   std::vector<std::string> points;                          ///< --point; empty: all
   bool resume = false;                                      ///< --resume
@@ -43,8 +40,7 @@ struct CommandLine {
   bool list = false;                                        ///< --list
   bool check = false;                                       ///< --check
   bool prepare = false;                                     ///< --prepare
-  bool json = false;                                        ///< --json, with --list or --check
-  std::string text;                                         ///< the whole command, quoted for a shell
+  bool json = false;                                        ///< --json, with --list, --status or --check
 };
 
 /// Reads the options. Throws ConfigurationError for an unknown option, for a missing or invalid value, and for options

@@ -48,7 +48,8 @@ int with_output_written(int code, int rank) {
   std::cout.flush();
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && !std::cout.fail();
   if (written || rank > 0) return code;
-  if (errno == 0) {  // An earlier write failed. Another one fails for the same reason, and the output is incomplete anyway.
+  if (errno ==
+      0) {  // An earlier write failed. Another one fails for the same reason, and the output is incomplete anyway.
     std::clearerr(stdout);
     if (std::fputc('\n', stdout) != EOF) std::fflush(stdout);
   }

@@ -15,7 +15,7 @@ namespace flowslide {
 inline constexpr double velocity_window = 0.1;
 
 /// The largest mean of v over windows of 0.1 s that overlap by half, m/s. `over_time`: means over time (see
-/// RunMeasures). NaN if the record is shorter than 0.1 s.
+/// RunMeasures). A record that is shorter has one window, all of it; NaN for a record without rows.
 double largest_velocity(const Series& over_time);
 
 /// Mean of v over 0.1 s centred at `time` (s), m/s. NaN if the record does not cover this interval.

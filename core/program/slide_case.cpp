@@ -51,14 +51,12 @@ void restore(const SlidePoint& running, const std::function<void()>& all) {
   }
 }
 
-/// Writes the files of a point. The tables come first, because a point with a file <point>.h5 counts as complete.
-void write_point(const OutputFolder& output, const Result& result, const Series& profiles) {
+void write_tables(const OutputFolder& output, const Result& result, const Series& profiles) {
   const std::string& point = result.provenance.point;
   Table table = table_of(result);
   write_table(output.file(point + ".dat"), table);
   table.series = profiles;
   if (!profiles.columns.empty()) write_table(output.file(point + "_profiles.dat"), table);
-  write_result(output.file(point + ".h5"), result);
 }
 
 }  // namespace
@@ -156,10 +154,11 @@ void SlideCase::print_plan(const Point& point, std::ostream& out) const {
                      predicted_steps(settings, planned.stop), settings.passing.time_step);
 }
 
-void SlideCase::prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const {
+void SlideCase::prepare(const Point& point, int threads, const ProgressStyle& progress,
+                        const PreparationPoll& poll) const {
   if (slide(point.name).closed_form) return;
   const SampleSpecification& sample = slide(point.name).sample;
-  const auto engine = make_engine(preparation_engine_, "/dev/null", 0, all_ranks());
+  const auto engine = make_engine(preparation_engine_, "/dev/null", threads, all_ranks());
   const FoundSample found = find_sample(*engine, sample, sample_cache_folder(), progress, poll);
   on_first_rank([&] { print_found_sample(std::cout, sample, found); });
 }
@@ -239,13 +238,13 @@ SlideCase::Records SlideCase::slide_on(const SlidePoint& running, Loaded& loaded
     restore(running, [&] {
       loaded.sample->restore(found->sample);
       profiles.restore(found->slide->profiles);
+      sliding.restore(found->slide->state);
+      record.exchanges.restore(found->slide->exchanges);
     });
-    sliding.restore(found->slide->state);
     record.spacing = found->slide->spacing;
     record.series = found->partial_result.series;
     record.next_time = found->slide->next_time;
     record.next_strain = found->slide->next_strain;
-    record.exchanges.restore(found->slide->exchanges);
   }
   SlideProgress progress(fmt::format("{} {}", description_.name, running.point.name), running.settings, running.stop,
                          run.progress, sliding.state());
@@ -320,19 +319,13 @@ void SlideCase::run(const Point& point, const PointRun& run) const {
   });
   const Records records = running.test ? shear(running, loaded, run) : slide_on(running, loaded, run);
   Result result = result_of(running, loaded, run, records);
-  const auto write = [&] {
-    on_first_rank([&] {
-      if (!records.shots.empty()) write_pictures(run.output, running, records.shots);
-      write_point(run.output, result, records.profiles);
-    });
-  };
-  try {
-    judge(result, running, loaded, records);
-  } catch (...) {
-    write();  // the series is valid even if its metrics cannot be computed
-    throw;
-  }
-  write();
+  // The tables come before the metrics, which may fail, and before the file <point>.h5, which marks a complete run.
+  on_first_rank([&] {
+    if (!records.shots.empty()) write_pictures(run.output, running, records.shots);
+    write_tables(run.output, result, records.profiles);
+  });
+  judge(result, running, loaded, records);
+  on_first_rank([&] { write_result(run.output.file(point.name + OutputFolder::result_end), result); });
 }
 
 }  // namespace flowslide

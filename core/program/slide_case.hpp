@@ -37,7 +37,8 @@ class SlideCase : public Case {
   /// Names of the band tables of each slide: see finish().
   std::vector<std::string> tables() const override;
   void print_plan(const Point& point, std::ostream& out) const override;
-  void prepare(const Point& point, const ProgressStyle& progress, const PreparationPoll& poll) const override;
+  void prepare(const Point& point, int threads, const ProgressStyle& progress,
+               const PreparationPoll& poll) const override;
   /// Runs the point, stores its last state as a checkpoint, and writes <point>.dat, <point>_profiles.dat (if the run
   /// takes profiles) and <point>.h5. If computing the metrics fails, writes the files without them and throws.
   void run(const Point& point, const PointRun& run) const override;

@@ -153,8 +153,13 @@ SlidePoint on_sample(SlidePoint point, double mean_diameter) {
     return point;
   }
   point.test = for_sample(*point.test, point.sample.recipe, mean_diameter);
-  for (Metric& parameter : point.parameters)
+  const SampleRecipe& recipe = point.sample.recipe;
+  for (Metric& parameter : point.parameters) {
     if (parameter.name == "shear_rate") parameter.value = point.test->shear_rate;
+    if (parameter.name == "inertial_number")
+      parameter.value = inertial_number(point.test->shear_rate, mean_diameter, recipe.material.density,
+                                        recipe.normal_stress);
+  }
   return point;
 }
 
@@ -170,7 +175,8 @@ double predicted_steps(const SlideSettings& settings, const StopConditions& stop
   double duration = time;
   if (const auto* rule = std::get_if<ConstantInertialNumber>(&settings.rate)) {
     const double first = rate_asked(settings.rate, 0.0, initial_normal_stress(settings.slope), 0.0);
-    duration = std::max(strain_at_peak, rule->smallest_rate_from) / first + strain / std::max(rule->smallest_rate, 1e-3 * first);
+    duration = std::max(strain_at_peak, rule->smallest_rate_from) / first +
+               strain / std::max(rule->smallest_rate, 1e-3 * first);
   }
   if (const auto* rule = std::get_if<ConstantStrainRate>(&settings.rate)) duration = strain / rule->rate;
   const bool waits = std::holds_alternative<AccumulateAndReset>(settings.passing.rule) ||

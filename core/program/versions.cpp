@@ -2,6 +2,7 @@
 #include "program/versions.hpp"
 
 #include "dem/make_engine.hpp"
+#include "dem/source_hashes.hpp"
 #include "sample/closed_form.hpp"
 #include "sample/void_ratio_search.hpp"
 #include "sample_library/sample_cache.hpp"
@@ -14,6 +15,7 @@ std::string engine_version(const std::string& name) {
 
 RunVersions versions_of(const RunInputs& inputs) {
   RunVersions versions;
+  versions.run = source_hashes::run;
   if (!inputs.engine.empty()) versions.engine = engine_version(inputs.engine);
   if (const std::string& name = inputs.preparation_engine; !name.empty()) {
     versions.preparation = preparation_identity(name, engine_version(name));

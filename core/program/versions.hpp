@@ -10,7 +10,7 @@ namespace flowslide {
 /// std::invalid_argument for any other name.
 std::string engine_version(const std::string& name);
 
-/// The versions of the engine, of the preparation and of the search for a run with these inputs. Throws as
+/// The versions of the run, the engine, the preparation and the search for a run with these inputs. Throws as
 /// engine_version.
 RunVersions versions_of(const RunInputs& inputs);
 

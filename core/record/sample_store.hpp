@@ -39,8 +39,8 @@ class SampleStore {
   /// The sample, bit for bit as it was put; empty if there is none. Throws CorruptFileError for a damaged file; the
   /// message says which file to delete.
   std::optional<StoredSample> find(const std::string& key) const;
-  /// Writes `sample`, whole or not at all, and replaces an older one. Throws std::invalid_argument for an assembly with a
-  /// flaw (see flaw_of) or a metric that is not finite, and FileError if the file cannot be written.
+  /// Writes `sample`, whole or not at all, and replaces an older one. Throws std::invalid_argument for an assembly with
+  /// a flaw (see flaw_of) or a metric that is not finite, and FileError if the file cannot be written.
   void put(const std::string& key, const StoredSample& sample) const;
   /// The failure of a preparation; empty if none is recorded. Throws as find().
   std::optional<FailedSample> find_failure(const std::string& key) const;

@@ -6,8 +6,8 @@
 
 namespace flowslide {
 
-/// Labels of the curves of a figure, for plots/style.gp: the file legend.txt with a line "point<TAB>label" per curve. It
-/// is no table (see table_head), because a label may contain blanks.
+/// Labels of the curves of a figure, for plots/style.gp: the file legend.txt with a line "point<TAB>label" per curve.
+/// It is no table (see table_head), because a label may contain blanks.
 class Legend {
  public:
   /// `label` may contain gnuplot's markup.

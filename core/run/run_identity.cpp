@@ -25,6 +25,7 @@ RunIdentity::RunIdentity(const std::string& case_name, const std::string& point,
   if (inputs_.engine.empty() != versions.engine.empty() ||
       inputs_.preparation_engine.empty() != versions.preparation.empty())
     throw std::invalid_argument("the identity of the run " + point + " needs the version of each of its engines");
+  if (!versions.run.empty()) add("run version", versions.run);
   if (!inputs_.engine.empty()) add("engine version", inputs_.engine + " " + versions.engine);
   if (!inputs_.preparation_engine.empty()) {
     add("preparation version", versions.preparation);

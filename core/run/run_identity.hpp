@@ -18,14 +18,16 @@ struct RunInputs {
 
 /// Versions of the sources that compute a run; empty where the run does not use them.
 struct RunVersions {
+  std::string run = {};          ///< version of slides and element tests, without the engine
   std::string engine = {};       ///< version of the engine or of the closed-form sample
   std::string preparation = {};  ///< version of the preparation of samples
   std::string search = {};       ///< version of the search for a void ratio
 };
 
 /// All that determines one run: its case, its name in the case ("point"), the resolved configuration, the contents of
-/// its input files, the sources and the precision of its engine, and those of the preparation of its sample. Two runs
-/// of one identity have the same result.
+/// its input files, the sources of slides and element tests, those and the precision of its engine, and those of the
+/// preparation of its sample. Two runs of one identity have the same series. The metrics that a case adds are not part
+/// of it: `--afresh` in another folder computes them anew after a change of their sources.
 class RunIdentity {
  public:
   /// Throws std::invalid_argument if an engine has no version, or a version has no engine.

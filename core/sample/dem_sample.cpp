@@ -194,6 +194,7 @@ SampleState DemSample::state() const {
                    {"time", time_},
                    {"steps", static_cast<double>(steps_)},
                    {"time_step", engine_.settings().time_step},
+                   {"stable_time_step", stable_time_step_},
                    {"processor_seconds", processor_seconds()}};
   add(state.numbers, "", stress_);
   add(state.numbers, "prepared_", prepared_);
@@ -214,9 +215,10 @@ void DemSample::restore(const SampleState& state) {
   const double shear_strain = state.number("shear_strain"), time = state.number("time");
   const double processor_seconds = state.number("processor_seconds");
   const std::int64_t steps = state.count("steps");
+  const double stable_time_step = state.number("stable_time_step");
   const CellStress stress = stress_in(state, "");
   engine_.load(*state.grains, settings);
-  stable_time_step_ = is_long ? settings.time_step : 0.0;
+  stable_time_step_ = stable_time_step;
   shear_strain_ = shear_strain;
   time_ = time;
   steps_ = steps;

@@ -10,8 +10,8 @@
 namespace flowslide {
 
 /// A prepared assembly in a DEM engine, sheared by its glued top layer. The bottom stands still, and the lateral
-/// periods are fixed. Strains refer to the height that StrainHeight names. A cell that is periodic along z has no layers. It is sheared across its
-/// faces, homogeneously in the mean, and its height is the period.
+/// periods are fixed. Strains refer to the height that StrainHeight names. A cell that is periodic along z has no
+/// layers. It is sheared across its faces, homogeneously in the mean, and its height is the period.
 class DemSample : public Sample {
  public:
   /// Loads the assembly into an engine of its own. `settings` holds the material of the recipe, a time step and no
@@ -45,8 +45,8 @@ class DemSample : public Sample {
   double mean_stress() const override;
   double shear_strain() const override { return shear_strain_; }
   double void_ratio() const override;
-  /// See stable_time_step of sample/stable_time_step.hpp. Until the next call, runs may use steps up to this one, even if
-  /// it exceeds the fraction of the Rayleigh time that limits other steps. Costs about 60 steps.
+  /// See stable_time_step of sample/stable_time_step.hpp. Until the next call, runs may use steps up to this one, even
+  /// if it exceeds the fraction of the Rayleigh time that limits other steps. Costs about 60 steps.
   double stable_time_step() override;
   /// Grains with their contact histories, clocks, present stress and the stress after the preparation.
   SampleState state() const override;

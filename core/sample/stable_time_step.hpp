@@ -11,8 +11,9 @@ double time_step_for_impacts(double radius, const Material& material, double spe
 
 /// A time step (s) that is stable with a reserve: 0.8 of a stable step of the present contacts (see
 /// time_step_below_edge), and at most 0.8 of that for an impact of two of the smallest grains at twice the largest
-/// velocity. All contacts may become 1.5 times as stiff, and their forces 3.8 times as large with Hertz' law, before the
-/// step is unstable. `time_step` (s) is the present step. Infinite without contacts and motion. Costs about 60 steps.
+/// velocity. All contacts may become 1.5 times as stiff, and their forces 3.8 times as large with Hertz' law, before
+/// the step is unstable. `time_step` (s) is the present step. Infinite without contacts and motion. Costs about 60
+/// steps.
 ///
 /// The stiffest contacts of a liquefied sample are those of grains wedged between glued ones: they keep an overlap of
 /// the initial stress while the others open. They bound the step, however soft the other contacts are.

@@ -222,7 +222,8 @@ FoundSample find_sample(Engine& engine, const SampleSpecification& specification
                                                                  : found.sample.void_ratio;
   };
   found.recipe = search_void_ratio(specification.recipe, specification.target, prepare).back().recipe;
-  found.name = specification.name + " " + cache_key(found.recipe, engine.name() + " " + engine.version());
+  found.name = specification.name + " " +
+               cache_key(found.recipe, preparation_identity(engine.name(), engine.version()));
   return found;
 }
 

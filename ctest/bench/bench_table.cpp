@@ -32,7 +32,8 @@ void BenchTable::ReportRuns(const std::vector<Run>& runs) {
     const std::size_t slash = name.find('/');
     const double steps = value("steps/s");
     rows_.push_back({name.substr(0, slash), name.substr(slash + 1), value("grains"), value("contacts"),
-                     value("workers"), steps, 1e9 / (steps * value("contacts")), value("exchange share"), value("place")});
+                     value("workers"), steps, 1e9 / (steps * value("contacts")), value("exchange share"),
+                     value("place")});
   }
 }
 
@@ -50,8 +51,9 @@ void BenchTable::Finalize() {
   std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
     return std::tie(a.grains, a.place) < std::tie(b.grains, b.place);
   });
-  fmt::print("| N | state | contacts | engine | cores | steps/s | ns per contact and step | grain steps/s | exchanges | "
-             "x LIGGGHTS | x tuned LIGGGHTS | share of the floor |\n");
+  fmt::print(
+      "| N | state | contacts | engine | cores | steps/s | ns per contact and step | grain steps/s | exchanges | "
+      "x LIGGGHTS | x tuned LIGGGHTS | share of the floor |\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows_) {
     const Row* reference = liggghts_for(row);

@@ -132,9 +132,11 @@ int run(int argc, char** argv) {
     for (const std::string& name : options.states) {
       const BenchState& state = *states.emplace_back(std::make_unique<BenchState>(bench_state(name, grains)));
       for (const std::string& engine : options.engines) {
-        Bench* bench = benches.emplace_back(std::make_unique<Bench>(state, engine, options.threads, benches.size())).get();
+        Bench* bench =
+            benches.emplace_back(std::make_unique<Bench>(state, engine, options.threads, benches.size())).get();
         // All ranks step together, so each runs a fixed number of times: some 0.2 s.
-        const int rounds = std::max(1, (engine == "liggghts" ? 20'000 : 100'000) / static_cast<int>(state.assembly.size()));
+        const int rounds =
+            std::max(1, (engine == "liggghts" ? 20'000 : 100'000) / static_cast<int>(state.assembly.size()));
         benchmark::RegisterBenchmark((name + "/" + engine).c_str(), [bench](benchmark::State& s) { bench->run(s); })
             ->Iterations(options.rounds > 0 ? options.rounds : rounds)
             ->UseRealTime();

@@ -88,7 +88,8 @@ void measure(int grains, int rounds) {
   row("construction", shortest(rounds, [&] { new_sample(); }));
   row("`mean_stress`", shortest(rounds, [&] { sample->mean_stress(); }));
   row("`assembly`", shortest(rounds, [&] { sample->assembly(); }));
-  fmt::print("\n{} contacts; a state has {:.3g} MB.\n\n", kept.grains->contacts.size(), 1e-6 * static_cast<double>(bytes_of(*kept.grains)));
+  fmt::print("\n{} contacts; a state has {:.3g} MB.\n\n", kept.grains->contacts.size(),
+             1e-6 * static_cast<double>(bytes_of(*kept.grains)));
 }
 
 std::string processor() {
@@ -103,7 +104,8 @@ int run(int argc, char** argv) {
   int rounds = 25;
   CLI::App app("Cost of the calls of a sample");
   app.add_option("--grains", grains)->delimiter(',')->check(CLI::Range(27, 20'000));
-  app.add_option("--rounds", rounds, "of which the shortest counts; 8 times as many of runs")->check(CLI::Range(1, 10'000));
+  app.add_option("--rounds", rounds, "of which the shortest counts; 8 times as many of runs")
+      ->check(CLI::Range(1, 10'000));
   parse_options(app, argc, argv);
   fmt::print("{}, one thread:\n\n", processor());
   for (const int number : grains) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // thread_bench [--engine E] [--grains N] [--threads N] [--rounds N] [--seconds S]
-// What several threads can gain on this machine. Each round measures, one after the other and so in the same minute: the
-// time of a message between two cores; one run on one thread; one run on all threads; and as many independent runs side
-// by side as there are threads. The independent runs share no grain: they are the limit of any division of one run.
+// What several threads can gain on this machine. Each round measures, one after the other and so in the same minute:
+// the time of a message between two cores; one run on one thread; one run on all threads; and as many independent runs
+// side by side as there are threads. The independent runs share no grain: they are the limit of any division of one
+// run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -64,8 +65,8 @@ double message_time() {
 class Runner {
  public:
   Runner(const BenchState& state, const std::string& engine, int threads)
-      : sample_(make_engine(engine, std::filesystem::temp_directory_path() / "flowslide_bench.log", threads), state.assembly,
-                EngineSettings{Material{}, time_step, 0.0}) {}
+      : sample_(make_engine(engine, std::filesystem::temp_directory_path() / "flowslide_bench.log", threads),
+                state.assembly, EngineSettings{Material{}, time_step, 0.0}) {}
   /// Runs for about this time. Returns steps per second.
   double speed(double seconds) {
     const auto start = Clock::now();
@@ -129,9 +130,10 @@ int run(int argc, char** argv) {
     round.message = std::max(round.message, message_time());  // the state of the machine may have changed meanwhile
     (round.message < long_message ? near : far).push_back(round);
   }
-  fmt::print("| {} grains, {} | rounds | message (ns) | steps/s of one thread | {} threads over one | {} independent runs "
-             "over one |\n|---|---|---|---|---|---|\n",
-             state.assembly.size(), options.engine, options.threads, options.threads);
+  fmt::print(
+      "| {} grains, {} | rounds | message (ns) | steps/s of one thread | {} threads over one | {} independent runs "
+      "over one |\n|---|---|---|---|---|---|\n",
+      state.assembly.size(), options.engine, options.threads, options.threads);
   print("cores share a cache", near);
   print("cores share no cache", far);
   return to_int(ExitCode::ok);

@@ -81,7 +81,8 @@ TEST(LoadClaims, ReadsAFile) {
 TEST(Claims, KnowTheRunsThatAreForAFigureAlone) {
   const ClaimsFile file = load_claims(Configuration::from_text("figure_only = ['RI_4kPa', 'RD_r2']\n"));
   for (const char* run : {"RI_4kPa", "RI_4kPa_r3", "RD_r2"}) EXPECT_TRUE(file.is_figure_only(run)) << run;
-  for (const char* run : {"RI_4kPa2", "RD", "RD_r3", "RI"}) EXPECT_FALSE(file.is_figure_only(run)) << run;
+  for (const char* run : {"RI_4kPa2", "RI_4kPa_ramp", "RI_4kPa_r", "RD", "RD_r3", "RI"})
+    EXPECT_FALSE(file.is_figure_only(run)) << run;
 }
 
 TEST(LoadClaims, SaysWhereAndWhatIsWrong) {
@@ -153,6 +154,15 @@ TEST(NotEvaluated, KeepsWhatWasMeasured) {
   EXPECT_EQ(verdicts.front().ruling, Ruling::not_evaluated);
   EXPECT_EQ(verdicts.front().reason, "another study");
   EXPECT_FALSE(is_one_not_met(verdicts));
+}
+
+TEST(FiguresIn, AreThoseThatAClaimNames) {
+  EXPECT_EQ(figures_in("Fig. 3A"), (std::set<std::string>{"3"}));
+  EXPECT_EQ(figures_in("Fig. 4"), (std::set<std::string>{"4"}));
+  EXPECT_TRUE(figures_in("Figs. 6C and 7C").contains("6"));
+  EXPECT_TRUE(figures_in("Figs. 6C and 7C").contains("7"));
+  EXPECT_EQ(figures_in("Fig. speed_error"), (std::set<std::string>{"speed_error"}));
+  EXPECT_TRUE(figures_in("sec. 2.3").empty());
 }
 
 }  // namespace

@@ -232,9 +232,11 @@ TEST_F(ConfigurationOnABase, RefusesABaseThatIsNoneOrMissingOrHasABaseItself) {
   EXPECT_EQ(of_case("base = 3\n"), "case.toml:1:1: base is not a text; name a file, such as base = \"../paper.toml\"");
   EXPECT_CONTAINS(of_case("base = 'none.toml'\n"), "none.toml");
   scratch_.write("paper.toml", "base = 'deeper.toml'\n");
-  EXPECT_EQ(of_case("base = 'paper.toml'\n"), "paper.toml:1:1: the base of a case.toml has no base of its own; take the key out");
-  EXPECT_EQ(complaint([&] { read("", "base = 'paper.toml'\n"); }),
-            "user.toml:1:1: a file for --config is laid over the case.toml of the case and has no base; take the key out");
+  EXPECT_EQ(of_case("base = 'paper.toml'\n"),
+            "paper.toml:1:1: the base of a case.toml has no base of its own; take the key out");
+  EXPECT_EQ(
+      complaint([&] { read("", "base = 'paper.toml'\n"); }),
+      "user.toml:1:1: a file for --config is laid over the case.toml of the case and has no base; take the key out");
 }
 
 TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
@@ -258,7 +260,8 @@ TEST_F(LayeredConfiguration, BlamesTheFileThatHasTheTableForAMissingKey) {
 
 TEST_F(LayeredConfiguration, TellsWhichValuesAreOfTheUser) {
   const auto configuration = read("quick", "[sample]\nlayers = 3\n", {{"point.a.b", "1", "--set point.a.b=1"}});
-  for (const char* users : {"sample", "sample.layers", "point", "point.a.b"}) EXPECT_TRUE(configuration.is_users(users));
+  for (const char* users : {"sample", "sample.layers", "point", "point.a.b"})
+    EXPECT_TRUE(configuration.is_users(users));
   for (const char* others : {"sample.lay", "point.a.b.c", "none"}) EXPECT_FALSE(configuration.is_users(others));
   EXPECT_FALSE(read("quick").is_users("sample"));
   EXPECT_CONTAINS(configuration.place_of({"sample.layers"}), "user.toml:2:1: sample.layers = 3");

@@ -122,8 +122,8 @@ TEST(LinearLaw, IsAsStiffAsHertzAtTheCharacteristicVelocity) {
   const PairConstants pair = pair_constants(material, 2e-3, 3e-3);
   const double stiffness = contact_stiffness(material, pair, 1e-6).normal;
   // Overlap of an impact at v: sqrt(m*/k) v for a linear spring, (15 m* v^2 / (16 sqrt(R*) Y*))^(2/5) for Hertz.
-  const double hertz =
-      std::pow(15.0 * pair.effective_mass * 0.04 / (16.0 * std::sqrt(pair.effective_radius) * pair.effective_modulus), 0.4);
+  const double hertz = std::pow(
+      15.0 * pair.effective_mass * 0.04 / (16.0 * std::sqrt(pair.effective_radius) * pair.effective_modulus), 0.4);
   EXPECT_NEAR(std::sqrt(pair.effective_mass / stiffness) * 0.2 / hertz, 1.0, 1e-12);
   EXPECT_EQ(contact_stiffness(material, pair, 1e-5).normal, stiffness);
 }

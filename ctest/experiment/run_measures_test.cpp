@@ -87,8 +87,8 @@ TEST(ExchangeRecord, HasTheWindowsThatFineRowsHave) {
   EXPECT_EQ(gathered.peak_to_5.stress, of_rows.peak_to_5.stress);
 }
 
-/// Of an elastic sample tau = tau_0 + G gamma, whatever portions its strain comes in: the stress that the slope holds in
-/// between would lag by some hundred Pa here.
+/// Of an elastic sample tau = tau_0 + G gamma, whatever portions its strain comes in: the stress that the slope holds
+/// in between would lag by some hundred Pa here.
 TEST(ExchangeRecord, HasTheLineOfAnElasticSampleHoweverStrainIsAccumulated) {
   constexpr double modulus = 0.5e6, until = 4e-3;  // Pa, strain
   ElasticProperties properties;

@@ -183,6 +183,25 @@ TEST(ShearTestRecord, GoesOnWithAdaptiveStepsWithTheSameBits) {
   expect_to_go_on_from_any_row({5.0, 5.0 * 200 * time_step, 10, 0.0, AdaptiveTimeStep{time_step, 3.0 * time_step, 7}});
 }
 
+TEST(ShearTestRecord, EndsAtTheRowThatBearsItsNormalStressAlsoWhenItGoesOn) {
+  const auto engine = make_engine("native", "/dev/null");
+  DemSample sample(*engine, touching_lattice(), {Material{}, time_step, 0.0});
+  ShearTest test{5.0, 5.0 * 2000 * time_step, 10};
+  const Series all = run_shear_test(sample, test).measured;
+  const std::vector<double>& normal = all.column("normal_stress").values;
+  const std::size_t largest = std::max_element(normal.begin() + 1, normal.end()) - normal.begin();
+  ASSERT_GT(normal[largest], normal[0]);
+  test.end_normal_stress = normal[largest];
+  DemSample second(*engine, touching_lattice(), {Material{}, time_step, 0.0});
+  const ShearTestRecord ended = run_shear_test(second, test);
+  EXPECT_EQ(ended.measured.rows(), largest + 1);
+  const std::int64_t steps = second.steps();
+  const ShearTestRecord again = run_shear_test(second, test, {}, ended);
+  EXPECT_EQ(second.steps(), steps);
+  expect_same_bits(again.rows, ended.rows);
+  expect_same_bits(again.measured, ended.measured);
+}
+
 TEST(ShearTestRecord, HasItsRowsAtTheSameStrainsWithAdaptiveSteps) {
   const auto engine = make_engine("native", "/dev/null");
   const auto run = [&](const ShearTest& test, std::int64_t& steps) {

@@ -363,7 +363,9 @@ TEST(Impact, OfTwoSpheresReturnsTheCoefficientOfRestitutionAtAnyVelocity) {
       Material material;
       material.restitution = restitution;
       const PairConstants pair = pair_constants(material, 2.5e-3, 3.75e-3);
-      const auto normal = [&](double overlap, double velocity) { return normal_force(material, pair, overlap, velocity); };
+      const auto normal = [&](double overlap, double velocity) {
+        return normal_force(material, pair, overlap, velocity);
+      };
       const double time_step = testing::hertz_contact_time(3e-3, material, speed) / 20000;
       EXPECT_NEAR(collide(normal, pair.effective_mass, speed, time_step).restitution, restitution, 1e-3);
     }

@@ -145,11 +145,14 @@ TEST(ReadCoupling, TakesEveryValue) {
 TEST(ReadCoupling, TakesHowOftenTheStressIsMeasuredAndWhenASampleRests) {
   EXPECT_EQ(coupling_of(with()).stress_interval, 1);
   EXPECT_FALSE(coupling_of(with()).rest);
-  const SlideSettings settings = coupling_of(with("n_accum = 10", R"(n_accum = 10
+  const Configuration resting = with("n_accum = 10", R"(n_accum = 10
 stress_interval = 7
 rest_stress = "30 Pa"
 probed_strain = "1 %"
-rested_strain = 0.2)"));
+rested_strain = 0.2)");
+  SlopeProperties undrained = read_slope(resting);
+  undrained.hydraulic_conductivity = 0.0;
+  const SlideSettings settings = read_coupling(resting, "coupling", undrained, grains);
   EXPECT_EQ(settings.stress_interval, 7);
   EXPECT_EQ(settings.rest->normal_stress, 30.0);
   EXPECT_EQ(settings.rest->probed_strain, 0.01);
@@ -221,9 +224,10 @@ TEST(ReadStrainPassing, BlamesTheOneOfNAccumAndMostStepsThatTheUserGives) {
     const Configuration configuration(layers);
     return message_of<ConfigurationError>([&] { read_strain_passing(configuration, "coupling", nullptr); });
   };
-  EXPECT_CONTAINS(complaint("n_accum = 200000\n"),
-                  "mine.toml:3:11: coupling.n_accum = 200000 is above coupling.most_steps = 100000, the largest number of "
-                  "local steps of one exchange; choose n_accum from 1 to 100000");
+  EXPECT_CONTAINS(
+      complaint("n_accum = 200000\n"),
+      "mine.toml:3:11: coupling.n_accum = 200000 is above coupling.most_steps = 100000, the largest number of "
+      "local steps of one exchange; choose n_accum from 1 to 100000");
   EXPECT_CONTAINS(complaint("n_accum = 300\nmost_steps = 200\n"), "n_accum = 300 is above coupling.most_steps = 200");
   EXPECT_CONTAINS(complaint("most_steps = 9\n"), "mine.toml:3:14: coupling.most_steps = 9 is not allowed");
 }
@@ -264,6 +268,28 @@ TEST(ReadCoupling, RefusesToHoldTheStressOfRDForLongerThanASwing) {
   EXPECT_CONTAINS(coupling_complaint(rate + "\nsmallest_rate = \"0.5 1/s\"\nsmallest_rate_from = \"2 %\"" + rest,
                                      "rate = \"global\"" + rest.substr(0, rest.size() - 2) + "1400"),
                   "holds the stress for 0.014 s");
+}
+
+TEST(ReadCoupling, CountsHowSeldomTheStressIsMeasuredAndTheLargestLocalTimeStep) {
+  const std::string rate = "rate = \"constant_inertial_number\"\ninertial_number = 1e-4";
+  const std::string floor = "\nsmallest_rate = \"0.5 1/s\"\nsmallest_rate_from = \"2 %\"";
+  const std::string passing = "\npassing = \"carry_remainder\"\nn_accum = 10";
+  const auto complaint = [&](const std::string& more) {
+    return coupling_complaint(rate + floor + passing, "rate = \"global\"" + passing + more);
+  };
+  EXPECT_CONTAINS(complaint("\nstress_interval = 140"), "n_accum = 10 holds the stress for 0.014 s");
+  EXPECT_CONTAINS(complaint("\nstress_interval = 40\nlargest_local_time_step = \"4e-5 s\""),
+                  "n_accum = 10 holds the stress for 0.016 s");
+  EXPECT_CONTAINS(coupling_complaint(passing, "\npassing = \"whole_increment\"\nstress_interval = 2000"),
+                  "stress_interval = 2000 passes a strain of 0.00109 at once");
+}
+
+TEST(ReadCoupling, RefusesARestWhereItsStrainWouldBeMissed) {
+  const std::string rate = "rate = \"constant_inertial_number\"\ninertial_number = 1e-4";
+  const std::string floor = "\nsmallest_rate = \"0.5 1/s\"\nsmallest_rate_from = \"2 %\"";
+  const std::string rest = "\nrest_stress = \"30 Pa\"\nprobed_strain = \"1 %\"\nrested_strain = 0.2";
+  EXPECT_CONTAINS(coupling_complaint(rate + floor, "rate = \"global\"" + rest), "passes the rate of the slope");
+  EXPECT_CONTAINS(coupling_complaint(rate, rest.substr(1) + "\n" + rate), "by which the sample would regain strength");
 }
 
 TEST(ReadStop, TakesWhatThereIs) {

@@ -9,7 +9,8 @@ namespace {
 
 TEST(ReadProfilePlan, TakesStrainsAndTheTableProfiles) {
   const auto configuration = Configuration::from_text(
-      "[profiles]\nsublayers = 5\nsnapshots = 3\nwindow = 0.02\nread = \"first snapshot\"\n[point.a]\nprofile_strains = [0.01, 0.5]\n"
+      "[profiles]\nsublayers = 5\nsnapshots = 3\nwindow = 0.02\nread = \"first snapshot\"\n[point.a]\nprofile_strains "
+      "= [0.01, 0.5]\n"
       "[point.b]\nprofile_strains = [0.5, 0.5]\n");
   const ProfilePlan plan = read_profile_plan(configuration, "point.a.profile_strains");
   EXPECT_EQ(plan.sublayers, 5);
@@ -24,7 +25,8 @@ TEST(ReadProfilePlan, TakesStrainsAndTheTableProfiles) {
 
 TEST(ReadProfilePlan, RefusesAProfileThatBeginsWithinTheOneBefore) {
   const auto text = [](const char* strains) {
-    return std::string("[profiles]\nsublayers = 5\nsnapshots = 100\nwindow = 1\n[point.a]\nprofile_strains = ") + strains;
+    return std::string("[profiles]\nsublayers = 5\nsnapshots = 100\nwindow = 1\n[point.a]\nprofile_strains = ") +
+           strains;
   };
   const auto plan = [&](const char* strains) {
     return read_profile_plan(Configuration::from_text(text(strains)), "point.a.profile_strains");

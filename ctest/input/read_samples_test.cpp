@@ -123,7 +123,8 @@ TEST(ReadSamples, TakesEverySampleInTheOrderOfTheFile) {
 }
 
 TEST(ReadMaterial, SaysWhyAParameterOfAnotherLawHasNoEffect) {
-  const Configuration configuration = with("contact_law = \"hertz\"", "contact_law = \"hertz\"\ncharacteristic_velocity = \"1 m/s\"");
+  const Configuration configuration =
+      with("contact_law = \"hertz\"", "contact_law = \"hertz\"\ncharacteristic_velocity = \"1 m/s\"");
   EXPECT_NO_THROW(read_material(configuration));
 }
 

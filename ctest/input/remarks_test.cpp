@@ -44,17 +44,20 @@ TEST_F(Remarks, NameValuesOfASampleThatTheEngineIsNot) {
   EXPECT_TRUE(of(users, "elastic").empty());
   const std::string remark = one_of(users, "critical_state");
   EXPECT_CONTAINS(remark, "mine.toml:2:1: elastic.void_ratio = 0.8; ");
-  EXPECT_CONTAINS(remark, "mine.toml:3:1: elastic.shear_modulus = '3 MPa': not used: engine = \"critical_state\" does not "
-                          "read [elastic]; engine = \"elastic\" does");
+  EXPECT_CONTAINS(remark,
+                  "mine.toml:3:1: elastic.shear_modulus = '3 MPa': not used: engine = \"critical_state\" does not "
+                  "read [elastic]; engine = \"elastic\" does");
   EXPECT_EQ(of(users + "[critical_state]\nvoid_ratio = 0.8\n", "native").size(), 2U);
 }
 
 TEST_F(Remarks, TellTheSeedsBeyondAShortList) {
   const std::string users = "[sample.loose]\nseed_offsets = [5, 6]\n";
-  EXPECT_CONTAINS(one_of(users, "native"),
-                  "mine.toml:2:1: sample.loose.seed_offsets = [5, 6]: 2 numbers for 4 replicates: replicate 3 gets 2000, "
-                  "each further one 1000 more; give one for each replicate to choose them");
-  EXPECT_CONTAINS(one_of("[sample.mine]\nlike = 'loose'\nseed_offsets = 5\n", "native"), ": one number for 4 replicates");
+  EXPECT_CONTAINS(
+      one_of(users, "native"),
+      "mine.toml:2:1: sample.loose.seed_offsets = [5, 6]: 2 numbers for 4 replicates: replicate 3 gets 2000, "
+      "each further one 1000 more; give one for each replicate to choose them");
+  EXPECT_CONTAINS(one_of("[sample.mine]\nlike = 'loose'\nseed_offsets = 5\n", "native"),
+                  ": one number for 4 replicates");
   EXPECT_EQ(of(users + "[sample.mine]\nlike = 'loose'\n", "native").size(), 1U);
   EXPECT_TRUE(of(users, "elastic").empty());
   EXPECT_TRUE(of("replicates = 2\n" + users, "native").empty());

@@ -70,8 +70,9 @@ coupling.n_accum = 3
   EXPECT_EQ(point.settings.time_step, 2e-4);
   EXPECT_EQ(std::get<CarryRemainder>(point.settings.passing.rule).least_steps, 3);
   EXPECT_EQ(std::get<SinePulse>(point.settings.loading).amplitude, 5e3);
-  EXPECT_CONTAINS(message_of<ConfigurationError>([] { read(slide_case_text() + "[point.own]\nlike = \"RF\"\n", "own"); }),
-                  "point.own.like");
+  EXPECT_CONTAINS(
+      message_of<ConfigurationError>([] { read(slide_case_text() + "[point.own]\nlike = \"RF\"\n", "own"); }),
+      "point.own.like");
 }
 
 TEST(SlidePoint, MayHaveAnEngineOfItsOwn) {

@@ -19,12 +19,14 @@ TEST(EngineVersion, IsThatOfItsSources) {
   EXPECT_THROW(engine_version("rubber"), std::invalid_argument);
 }
 
-TEST(VersionsOf, HoldEnginePreparationAndSearch) {
+TEST(VersionsOf, HoldRunEnginePreparationAndSearch) {
   const RunVersions grains = versions_of({"native-mixed", "native", {}});
   EXPECT_EQ(grains.engine, engine_version("native-mixed"));
   // The kernel and the procedure of the preparation are in it, each by its hash.
   EXPECT_EQ(grains.preparation, preparation_identity("native", engine_version("native")));
   EXPECT_EQ(grains.search, search_version());
+  EXPECT_EQ(grains.run.size(), 16U);
+  EXPECT_EQ(grains.run, versions_of({"elastic", "", {}}).run);
 }
 
 TEST(VersionsOf, HoldNothingOfWhatARunHasNot) {

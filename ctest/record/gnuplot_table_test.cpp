@@ -28,7 +28,8 @@ TEST(GnuplotTable, SaysWhereItComesFrom) {
   const auto result = example_result();
   write_table(folder / "run.dat", table_of(result));
   const auto text = read_file(folder / "run.dat");
-  EXPECT_TRUE(text.starts_with("time shear_stress normal_stress inertial_number\n# case: fig03_undrained\n# point: e0=0.790\n"))
+  EXPECT_TRUE(
+      text.starts_with("time shear_stress normal_stress inertial_number\n# case: fig03_undrained\n# point: e0=0.790\n"))
       << text.substr(0, 200);
   EXPECT_NE(text.find("# configuration: abc123\n"), std::string::npos);
   EXPECT_NE(text.find("# revision: " + result.provenance.git_revision), std::string::npos);
@@ -49,8 +50,9 @@ TEST(GnuplotTable, KeepsHeadersOnOneLine) {
 }
 
 TEST(GnuplotTable, NamesColumnsOfTextToo) {
-  EXPECT_EQ(table_head({{"slide", "", "text", "its name", "", {}}, {"time", "t", "s", "time", "", {}}}, {{"case", "a"}}),
-            "slide time\n# case: a\n# column 1: slide |  | text | its name | \n# column 2: time | t | s | time | \n");
+  EXPECT_EQ(
+      table_head({{"slide", "", "text", "its name", "", {}}, {"time", "t", "s", "time", "", {}}}, {{"case", "a"}}),
+      "slide time\n# case: a\n# column 1: slide |  | text | its name | \n# column 2: time | t | s | time | \n");
   for (const char* name : {"", "two words", "1st", "v,x"})
     EXPECT_THROW(table_head({{name, "", "1", "", "", {}}}), std::invalid_argument) << name;
 }

@@ -25,8 +25,9 @@ inline void write_project(const std::filesystem::path& folder) {
              "# a comment\nfig03  shear  fig03.gp  stress path\nfig04  shear  fig04.gp  two rates\n"
              "study  study  study.gp  a study of your own\n");
   write_file(folder / "cases/shear/case.toml", "");
-  write_file(folder / "cases/shear/README.md",
-             "# Shear & more\n\n## What is done\n\nSee [Fig. 12](../x.md) and [this](https://example.org/).\n\n## Rest\n");
+  write_file(
+      folder / "cases/shear/README.md",
+      "# Shear & more\n\n## What is done\n\nSee [Fig. 12](../x.md) and [this](https://example.org/).\n\n## Rest\n");
   write_file(folder / "cases/speed/case.toml", "");
   write_file(folder / "cases/study/case.toml", "");
   write_file(folder / "cases/notes.txt", "");

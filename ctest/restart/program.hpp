@@ -18,7 +18,8 @@ namespace flowslide {
 class ProgramTest : public testing::Test {
  protected:
   ProgramTest() {
-    std::string text = slide_case_text();  // its small sample jams in slides that go on for long: a step that bears that
+    std::string text =
+        slide_case_text();  // its small sample jams in slides that go on for long: a step that bears that
     for (std::size_t at = 0; (at = text.find("time_step = \"1e-5 s\"")) != std::string::npos;)
       text.replace(at, std::string("time_step = \"1e-5 s\"").size(), "time_step = \"5e-6 s\"");
     scratch_.write("case.toml", text + R"([point.alone]

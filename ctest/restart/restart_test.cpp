@@ -64,7 +64,8 @@ TEST_F(Restart, GoesOnWithTheSameStressOnLiggghts) {
   const double scale = whole.column("normal_stress").values.front();
   for (const char* name : {"shear_stress", "normal_stress"})
     for (std::size_t row = 0; row < whole.rows(); ++row)
-      EXPECT_NEAR(stopped.column(name).values[row], whole.column(name).values[row], 1e-12 * scale) << name << " " << row;
+      EXPECT_NEAR(stopped.column(name).values[row], whole.column(name).values[row], 1e-12 * scale)
+          << name << " " << row;
 }
 
 TEST_F(Restart, ASecondInterruptEndsAtOnce) {
@@ -97,7 +98,8 @@ class RestartPreparation : public Restart {
   std::vector<std::string> files(const std::string& cache, const std::string& part) const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(out(cache)))
-      if (const std::string name = entry.path().filename().string(); name.find(part) != name.npos) found.push_back(name);
+      if (const std::string name = entry.path().filename().string(); name.find(part) != name.npos)
+        found.push_back(name);
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -166,6 +168,8 @@ TEST_F(Restart, TellsHowFarItIsAndDrawsItSoFar) {
   ASSERT_EQ(run("out", so_far), 0) << said_;
   EXPECT_CONTAINS(said_, "RD: so far at t = ");
   EXPECT_GT(read_result(out("out") / "so_far" / "RD.h5").series.rows(), 0U);
+  EXPECT_EQ(run("out/so_far", {"--check"}), 2);
+  EXPECT_CONTAINS(said_, "unfinished (--so-far)");
   EXPECT_TRUE(std::filesystem::exists(out("out") / "so_far" / "RD_over_time.dat"));
 
   // A second run of the same point is refused, and the first run is not disturbed.

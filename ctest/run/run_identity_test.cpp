@@ -17,7 +17,7 @@ RunInputs inputs(const std::string& engine, const StressTable& loading = {{0.0, 
 const std::string configuration = "engine = \"native\"\nslope.angle = \"0.1 rad\"\n";
 
 RunVersions versions(const RunInputs& inputs) {
-  RunVersions versions{"0.1.0 (law of " + inputs.engine + ")"};
+  RunVersions versions{"0.1.0 (slide)", "0.1.0 (law of " + inputs.engine + ")"};
   if (!inputs.preparation_engine.empty()) {
     versions.preparation = inputs.preparation_engine + " 0.1.0 (law), procedure 3";
     versions.search = "0.1.0 (steps)";
@@ -73,7 +73,7 @@ TEST(RunIdentity, DiffersByEverythingThatWentIn) {
 TEST(RunIdentity, DiffersByTheSourcesOfEnginePreparationAndSearch) {
   const RunIdentity now = identity(inputs("native"));
   const Result result = made_by(now);
-  for (const char* name : {"engine version", "preparation version", "sample search version"})
+  for (const char* name : {"run version", "engine version", "preparation version", "sample search version"})
     EXPECT_CONTAINS(now.difference_from(RunIdentity(with_line(result, name, "native 0.1.0 (of another law)"))),
                     std::string(name) + " = native 0.1.0 (of another law) there, ");
   EXPECT_CONTAINS(now.text(), "engine version = native 0.1.0 (law of native)\n");

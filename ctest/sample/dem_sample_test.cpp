@@ -17,6 +17,7 @@
 #include "grains/time_step_share.hpp"
 #include "sample/failure.hpp"
 #include "sample/health.hpp"
+#include "sample/stable_time_step.hpp"
 #include "support/touching_lattice.hpp"
 
 namespace flowslide::dem_sample_test {
@@ -271,6 +272,22 @@ TEST_F(DemSampleGoesOn, WithTheSameBitsOnAnyNumberOfThreads) {
       EXPECT_EQ(reached.grains->velocity[i], expected.grains->velocity[i]);
     }
   }
+}
+
+TEST_F(DemSampleGoesOn, WithTheStableTimeStepThatItFoundLast) {
+  // Smaller grains touch less, until a stable step of their contacts is beyond the limit of other steps.
+  Assembly loose = touching_lattice();
+  while (stable_time_step(loose, {}, step) <= longest_time_step(loose.smallest_radius(), {}))
+    for (double& radius : loose.radius) radius *= 0.9999;
+  const auto sample_on_loose = [&] {
+    return std::make_unique<DemSample>(std::make_unique<DoubleEngine>(), loose, EngineSettings{Material{}, step, 0.0});
+  };
+  const auto first = sample_on_loose(), second = sample_on_loose();
+  const double stable = first->stable_time_step();
+  ASSERT_THROW(second->strain({{1.0, 0.0}, 1, stable}), std::invalid_argument);
+  second->restore(first->state());
+  EXPECT_EQ(second->state().number("stable_time_step"), stable);
+  EXPECT_NO_THROW(second->strain({{1.0, 0.0}, 1, stable}));
 }
 
 TEST_F(DemSampleGoesOn, FromAnEarlierStateOfItsOwn) {

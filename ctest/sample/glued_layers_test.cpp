@@ -49,7 +49,8 @@ TEST(GluedLayers, AreAsThickAsTheirInnermostCentreIsDeep) {
   const Assembly lattice = touching_lattice(4, 5);
   double bottom = 0.0;
   for (std::size_t i = 0; i < lattice.size(); ++i)
-    if (lattice.role[i] == Role::bottom_layer) bottom = std::max(bottom, lattice.position[i].z() - lattice.cell.lower.z());
+    if (lattice.role[i] == Role::bottom_layer)
+      bottom = std::max(bottom, lattice.position[i].z() - lattice.cell.lower.z());
   EXPECT_GT(bottom, 0.0);
   EXPECT_EQ(layer_thickness(lattice).bottom, bottom);
 }

@@ -17,7 +17,7 @@ while IFS= read -r file; do
 done < <(find core cases report -name '*.?pp' | sort)
 
 # Scripts hand numbers to awk, printf and sort: each that is run sets a locale with a decimal point.
-for file in reproduce check scripts/analyse scripts/bench scripts/clean_room scripts/fuzz scripts/slurm_array.sh scripts/update_readme; do
+for file in reproduce check $(find scripts -type f -exec grep -l '^#!/usr/bin/env bash' {} + | sort); do
   files=$((files + 1))
   grep -qE 'export LC_ALL=C\.UTF-8|scripts?/setup\.sh|/setup\.sh' "$file" ||
     { echo "$file: sets no locale; source scripts/setup.sh or export LC_ALL=C.UTF-8"; wrong=$((wrong + 1)); }

@@ -74,7 +74,8 @@ for program in "$build"/cases/*/*; do
 done | sort -s -k 2,2 >"$room/pairs"
 export build room source_dir tree
 export -f sweep settings_for is_closed_form
-xargs -a "$room/pairs" -L 1 -P 2 bash -c 'set -euo pipefail; sweep "$@"' sweep >"$room/complaints" 2>&1 || true
+xargs -a "$room/pairs" -L 1 -P 2 bash -c 'set -euo pipefail; sweep "$@"' sweep >"$room/complaints" 2>&1 ||
+  echo 'a pair ended with an error' >>"$room/complaints"
 cat "$room/complaints"
 echo "$(wc -l <"$room/pairs") pairs of case and engine"
 [[ -s $room/pairs && ! -s $room/complaints ]]

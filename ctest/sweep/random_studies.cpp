@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // random_studies BUILD_FOLDER SOURCE_FOLDER COUNT SEED [WORKERS]: random studies of every case on closed-form samples,
 // and of the case `study` with sweeps, schemes and replicates on every engine of the build. Each is run,
-// repeated, changed, collected and drawn. A crash, a wrong exit code, a missing file or a result that is not that of its
-// configuration is a failure. Prints "N passed, N failed"; exit code 1 if a study failed.
+// repeated, changed, collected and drawn. A crash, a wrong exit code, a missing file or a result that is not that of
+// its configuration is a failure. Prints "N passed, N failed"; exit code 1 if a study failed.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
   for (const char* of : {"fig06_convergence", "fig08_trigger", "fig12_pulse", "fig13_k", "fig14_e0", "speed_error",
                          "open_questions", "study"})
     cases.push_back(case_in(of, argv[1], argv[2], room));
-  const int code = run_studies(cases, room, std::stoi(argv[3]), std::stoull(argv[4]), argc > 5 ? std::stoi(argv[5]) : 1);
+  const int code =
+      run_studies(cases, room, std::stoi(argv[3]), std::stoull(argv[4]), argc > 5 ? std::stoi(argv[5]) : 1);
   fs::remove_all(room);
   return code;
 }

@@ -165,8 +165,8 @@ class Study {
     }
     expect(fs::exists(output_ / (point + ".dat")), "no table of " + point);
   }
-  /// The values of a sweep are different runs, and their replicates have one configuration. Each planned setting is that
-  /// of a run.
+  /// The values of a sweep are different runs, and their replicates have one configuration. Each planned setting is
+  /// that of a run.
   void check_sweep() {
     if (!case_.has_sweeps) return;
     std::set<std::string> names, configurations;
@@ -212,7 +212,8 @@ class Study {
   }
   void refuse(const std::vector<Setting>& changes, const std::string& what) {
     for (const Words& action : {Words{}, Words{"--check"}})
-      expect(call(action, changes) == 2, fmt::format("{} was not refused {}", what, action.empty() ? "" : "by --check"));
+      expect(call(action, changes) == 2,
+             fmt::format("{} was not refused {}", what, action.empty() ? "" : "by --check"));
   }
   void collect_it() {
     for (const char* action : {"--check", "--status", "--so-far"}) {

@@ -43,8 +43,8 @@ std::string changed_value(const std::string& value, Dice& dice);
 /// From 1 to 5 of `settings` with other values. Whether they are valid together is for the program to say.
 std::vector<Setting> random_changes(const std::vector<Setting>& settings, Dice& dice);
 
-/// What a study of the user's own has on an engine: short runs, one or both schemes, one or two replicates, and, mostly,
-/// a sweep over one to three values. On grains the sample is small, and no value changes it.
+/// What a study of the user's own has on an engine: short runs, one or both schemes, one or two replicates, and,
+/// mostly, a sweep over one to three values. On grains the sample is small, and no value changes it.
 std::vector<Setting> random_sweep(bool of_grains, const std::string& engine, Dice& dice);
 
 /// Whether a key stands outside the configuration of a single run of a study: a sweep, its schemes, its replicates.

@@ -11,8 +11,8 @@ class LAMMPS;
 
 namespace flowslide {
 
-/// One LIGGGHTS simulation on all ranks of a communicator. It writes its log to a file and nothing to the screen. Errors
-/// in LIGGGHTS throw EngineError; the message gives the command and the log.
+/// One LIGGGHTS simulation on all ranks of a communicator. It writes its log to a file and nothing to the screen.
+/// Errors in LIGGGHTS throw EngineError; the message gives the command and the log.
 class LiggghtsInstance {
  public:
   /// Uses a copy of `communicator`; collective over it. Throws EngineError if the log cannot be written.

@@ -199,7 +199,8 @@ void LiggghtsEngine::advance(int steps) {
 
 CellStress LiggghtsEngine::cell_stress() const {
   if (steering_->cell().periodic[2])
-    throw EngineError("LIGGGHTS does not tell the shear stress of a cell that is periodic along z; choose --engine native");
+    throw EngineError(
+        "LIGGGHTS does not tell the shear stress of a cell that is periodic along z; choose --engine native");
   StressSums sums = steering_->sums();
   sums.pair_virial_x = (*instance_)->force->pair->virial[0];
   sums.pair_virial_y = (*instance_)->force->pair->virial[1];

@@ -124,8 +124,10 @@ void PairList<Real>::set_histories(const std::vector<ContactHistory>& contacts) 
     while (c < contacts.size() && std::tie(contacts[c].first, contacts[c].second) < key) ++c;
     const bool known = c < contacts.size() && std::tie(contacts[c].first, contacts[c].second) == key;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      columns_.history[axis][p] = static_cast<Real>(known ? contacts[c].tangential_spring[static_cast<int>(axis)] : 0.0);
-      columns_.history[axis + 3][p] = static_cast<Real>(known ? contacts[c].rolling_torque[static_cast<int>(axis)] : 0.0);
+      columns_.history[axis][p] =
+          static_cast<Real>(known ? contacts[c].tangential_spring[static_cast<int>(axis)] : 0.0);
+      columns_.history[axis + 3][p] =
+          static_cast<Real>(known ? contacts[c].rolling_torque[static_cast<int>(axis)] : 0.0);
     }
   }
 }

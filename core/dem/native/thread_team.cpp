@@ -15,8 +15,8 @@ constexpr int spins_before_yield = 200;
 /// Number of yields before a thread without a task sleeps. While a sample is sheared, the next task follows soon.
 constexpr int yields_before_sleep = 200;
 
-/// Leaves the units of a core to its other hardware thread for a moment. A thread that spins without this slows down the
-/// thread that it waits for, where both share a core.
+/// Leaves the units of a core to its other hardware thread for a moment. A thread that spins without this slows down
+/// the thread that it waits for, where both share a core.
 inline void pause() {
 #if defined(__x86_64__)
   __builtin_ia32_pause();

@@ -9,8 +9,8 @@
 namespace flowslide::laws {
 
 /// Normal part of the law "hertz": Hertz' contact of two elastic spheres with a dashpot, and Mindlin's tangential
-/// stiffness without slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T. Tanaka and T. Ishida,
-/// Powder Technol. 71 (1992) 239-250.
+/// stiffness without slip (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268). The dashpots are those of Y. Tsuji, T.
+/// Tanaka and T. Ishida, Powder Technol. 71 (1992) 239-250.
 ///   F_n = k_n delta - gamma_n v_n; below 0 see NormalForceLimit
 ///   k_n = 4/3 Y* sqrt(R* delta),  S_n = 2 Y* sqrt(R* delta),  gamma_n = -2 sqrt(5/6) beta sqrt(S_n m*)
 ///   k_t = 8 G* sqrt(R* delta),                               gamma_t = -2 sqrt(5/6) beta sqrt(k_t m*)

@@ -22,8 +22,8 @@ struct LinearParameters {
 static_assert(lists_every_member<LinearParameters>());
 
 /// Normal part of the law "linear": a linear spring with a dashpot, and the same along the contact plane (P. A. Cundall
-/// and O. D. L. Strack, Geotechnique 29 (1979) 47-65). The stiffness is that of `hooke` of LIGGGHTS 3.8 (`ktToKnUser off`): two
-/// grains that meet at the characteristic velocity v_c overlap as much as those of Hertz.
+/// and O. D. L. Strack, Geotechnique 29 (1979) 47-65). The stiffness is that of `hooke` of LIGGGHTS 3.8 (`ktToKnUser
+/// off`): two grains that meet at the characteristic velocity v_c overlap as much as those of Hertz.
 ///   F_n = k_n delta - gamma_n v_n; below 0 see NormalForceLimit
 ///   k_n = 16/15 sqrt(R*) Y* (15 m* v_c^2 / (16 sqrt(R*) Y*))^(1/5),  gamma_n = -2 beta sqrt(k_n m*)
 ///   k_t = k_n,                                                       gamma_t = gamma_n

@@ -70,8 +70,9 @@ TEST_F(UndrainedProgram, ListsItsPointsAndWritesNothing) {
   for (const char* name : {"e0_790", "e0_771", "e0_765", "e0_751", "I_1e-4", "I_2e-2"})
     EXPECT_CONTAINS(list.output, "\n" + std::string(name) + "\t");
   EXPECT_EQ(std::count(list.output.begin(), list.output.end(), '\n'), 1 + 3 * 6);  // three replicates at quick scale
-  const auto point =
-      nlohmann::json::parse(run({"--list", "--json", "--scale", "paper", "--point", "e0_790"}).output).at("points").at(0);
+  const auto point = nlohmann::json::parse(run({"--list", "--json", "--scale", "paper", "--point", "e0_790"}).output)
+                         .at("points")
+                         .at(0);
   EXPECT_EQ(point.at("name"), "e0_790");
   EXPECT_EQ(point.at("figures"), nlohmann::json::array({"2", "3"}));
   EXPECT_GT(point.at("predicted_seconds"), 0.0);
@@ -174,8 +175,9 @@ TEST_F(UndrainedProgram, RefusesItsOldKeysWithTheNewNames) {
   EXPECT_CONTAINS(complaint_about("shear.rows=100"), "is called \"shear_test.rows\" now");
   // In a scale that was not chosen, too.
   const fs::path user = scratch_.write("user.toml", "[scale.paper]\npoint.e0_771.time_step = \"5e-6 s\"\n");
-  EXPECT_CONTAINS(complaint({"--config", user.string()}),
-                  user.string() + ":2:14: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
+  EXPECT_CONTAINS(
+      complaint({"--config", user.string()}),
+      user.string() + ":2:14: \"point.e0_771.time_step\" is called \"point.e0_771.coupling.local_time_step\"");
 }
 
 TEST_F(UndrainedProgram, SaysThatAKeyOfSlidesHasNoUseHere) {

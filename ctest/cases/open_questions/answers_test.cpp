@@ -63,7 +63,8 @@ TEST(Answers, AreATableOfBothSamples) {
   const std::string table = answers_table(some_slides());
   EXPECT_NE(table.find("| v_max after the pulse (m/s) | 1 | 3 (2 to 4) |"), std::string::npos) << table;
   EXPECT_NE(table.find("| v_max with 400 grains (m/s) | - | 5 |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| R^2 at 30 and 60 % strain, liquefied | 0.85 (0.8 to 0.9) | 0.998 (0.99 to 0.999) |"), std::string::npos)
+  EXPECT_NE(table.find("| R^2 at 30 and 60 % strain, liquefied | 0.85 (0.8 to 0.9) | 0.998 (0.99 to 0.999) |"),
+            std::string::npos)
       << table;
   EXPECT_NE(table.find("mu_s = 0.3"), std::string::npos) << table;
   EXPECT_NE(answers_table({}).find("| mu_ss of the held slope | - | - |"), std::string::npos);

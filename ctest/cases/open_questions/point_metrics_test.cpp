@@ -55,13 +55,28 @@ TEST(PointMetrics, FrictionOfAHeldSlopeIsThatOfTheMeansBeyondHalfAStrain) {
   EXPECT_EQ(metrics.size(), 2u);  // no profiles, no linearity
 }
 
+TEST(PointMetrics, HaveTheLinearityOfEachProfileWhateverStandsBesideIt) {
+  // Columns of ProfileRecord with several snapshots: what is read, and the other of first snapshot and mean.
+  Series profiles;
+  profiles.axis = {"relative_height", "z/H", "1", "height", "", {0.25, 0.5, 0.75}};
+  for (const char* number : {"1", "2"})
+    for (const char* of : {"", "mean_"})
+      for (const char* what : {"velocity_", "shear_stress_", "normal_stress_"})
+        profiles.columns.push_back({std::string(of) + what + number, "", "1", "", "", {0.2, 0.5, 0.8}});
+  const Series series = record(slide_series(), 1e-2, 150, column("normal_stress", [](double) { return 1e3; }));
+  const auto metrics = by_name(held_metrics(measures_of_rows(series), profiles, 1.0));
+  EXPECT_NEAR(metrics.at("linearity_1"), 1.0, 1e-12);
+  EXPECT_NEAR(metrics.at("linearity_2"), 1.0, 1e-12);
+  EXPECT_EQ(metrics.size(), 4u);
+}
+
 TEST(PointMetrics, SteadyFlowCountsBeyondAStrainOfOneWithItsKineticPart) {
-  const Series series = record(
-      shear_test_series(), 1e-2, 300, column("shear_stress", [](double strain) { return strain < 0.995 ? 500.0 : 380.0; }),
-      column("kinetic_shear_stress", [](double) { return 20.0; }),
-      column("normal_stress", [](double strain) { return strain < 0.995 ? 700.0 : 900.0; }),
-      column("kinetic_normal_stress", [](double) { return 100.0; }),
-      column("mean_stress", [](double) { return 800.0; }));
+  const Series series = record(shear_test_series(), 1e-2, 300,
+                               column("shear_stress", [](double strain) { return strain < 0.995 ? 500.0 : 380.0; }),
+                               column("kinetic_shear_stress", [](double) { return 20.0; }),
+                               column("normal_stress", [](double strain) { return strain < 0.995 ? 700.0 : 900.0; }),
+                               column("kinetic_normal_stress", [](double) { return 100.0; }),
+                               column("mean_stress", [](double) { return 800.0; }));
   const auto metrics = by_name(flow_metrics(series, 10.0, 6e-3, 2650.0));
   EXPECT_NEAR(metrics.at("friction"), 0.4, 1e-12);
   EXPECT_NEAR(metrics.at("inertial_number"), inertial_number(10.0, 6e-3, 2650.0, 800.0), 1e-12);

@@ -94,12 +94,14 @@ TEST(Sweep, RefusesOtherKeysAndNamesTheAllowedOnes) {
 }
 
 TEST(Sweep, RefusesAKeyThatHasNoEffectAndSaysWhy) {
-  EXPECT_CONTAINS(refusal_of("void_ratio = [0.7, 0.8]\n", "elastic"),
-                  "sweep.void_ratio = [0.7, 0.8] has no effect: the stresses of the elastic sample do not depend on it; "
-                  "sweep another key");
-  EXPECT_CONTAINS(refusal_of("elastic.shear_modulus = ['3 MPa']\n", "critical_state"),
-                  "has no effect: engine = \"critical_state\" does not use [elastic], engine = \"elastic\" does; choose "
-                  "that engine, or sweep another key");
+  EXPECT_CONTAINS(
+      refusal_of("void_ratio = [0.7, 0.8]\n", "elastic"),
+      "sweep.void_ratio = [0.7, 0.8] has no effect: the stresses of the elastic sample do not depend on it; "
+      "sweep another key");
+  EXPECT_CONTAINS(
+      refusal_of("elastic.shear_modulus = ['3 MPa']\n", "critical_state"),
+      "has no effect: engine = \"critical_state\" does not use [elastic], engine = \"elastic\" does; choose "
+      "that engine, or sweep another key");
   EXPECT_CONTAINS(refusal_of("shear_modulus = ['3 MPa']\n"), "engine = \"native\" does not use [elastic]");
   EXPECT_CONTAINS(refusal_of("critical_friction = [0.5]\n"), "does not use [critical_state]");
   EXPECT_CONTAINS(refusal_of("coupling.shear_modulus = ['3 MPa']\n", "elastic"),

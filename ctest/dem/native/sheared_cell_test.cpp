@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cell that is periodic along z and sheared across its faces (Lees and Edwards 1972): what must hold whatever the law.
+// A cell that is periodic along z and sheared across its faces (Lees and Edwards 1972): what must hold whatever the
+// law.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -94,8 +95,8 @@ using Precisions = testing::Types<double, float>;
 TYPED_TEST_SUITE(ShearedCellOf, Precisions);
 
 TYPED_TEST(ShearedCellOf, ForcesAndStressAreThoseOfTheContactLaw) {
-  // Of single forces, as in the contract. In float velocities of up to 2.5 m/s are rounded to 1.5e-7 m/s, which dashpots
-  // of 2 N s/m make 3e-7 N of, in each of up to ten contacts of a grain; the largest forces are of 0.7 N.
+  // Of single forces, as in the contract. In float velocities of up to 2.5 m/s are rounded to 1.5e-7 m/s, which
+  // dashpots of 2 N s/m make 3e-7 N of, in each of up to ten contacts of a grain; the largest forces are of 0.7 N.
   const double within = std::is_same_v<TypeParam, double> ? 1e-9 : 5e-6;
   Assembly dense = touching_lattice();
   dense.cell.periodic = {true, true, true};

@@ -32,8 +32,9 @@ struct OtherRolling {
 TEST(ContactLaws, PartsMayShareAParameter) {
   using Both = laws::ParametersOf<laws::List<laws::Epsd3, OtherRolling>>;
   EXPECT_EQ(std::tuple_size_v<decltype(Both::fields())>, 4u);
-  EXPECT_EQ(text_of_fields(Both{}),
-            "rolling_friction = 0.1\nrolling_stiffness = 2.25\nrolling_viscous_damping = 0.13\ntorsion_resistance = false\n");
+  EXPECT_EQ(
+      text_of_fields(Both{}),
+      "rolling_friction = 0.1\nrolling_stiffness = 2.25\nrolling_viscous_damping = 0.13\ntorsion_resistance = false\n");
   EXPECT_TRUE(laws::has_parameter<OtherRolling>("rolling_friction"));
   EXPECT_FALSE(laws::has_parameter<OtherRolling>("rolling_stiffness"));
 }

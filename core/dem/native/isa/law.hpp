@@ -25,7 +25,8 @@ FLOWSLIDE_LANE void put(const laws::Components<Real>& value, Columns& columns, i
 }
 
 /// Force and torques of contact `k` of a tile by the parts of `Law`. Reads geometry and motion, advances the histories,
-/// and writes forces and torques. There is no branch. `Sliding` and `Rolling` select the parts; rolling requires sliding.
+/// and writes forces and torques. There is no branch. `Sliding` and `Rolling` select the parts; rolling requires
+/// sliding.
 template <typename Real, typename Law, bool Sliding, bool Rolling>
 FLOWSLIDE_LANE void apply_to_contact(const LawConstants<Real>& constants, Tile<Real>& t, int k) {
   using laws::Components;
