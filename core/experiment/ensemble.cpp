@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace flowslide {
 namespace {
@@ -101,16 +102,13 @@ Statistics statistics_of(std::vector<double> values) {
 }
 
 double metric_of(const Result& result, const std::string& name) {
-  for (const Metric& metric : result.metrics)
-    if (metric.name == name) return metric.value;
-  return std::numeric_limits<double>::quiet_NaN();
+  return value_of(result.metrics, name).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 std::vector<double> values_of(const Ensemble& ensemble, const std::string& metric) {
   std::vector<double> values;
   for (const Result& result : ensemble)
-    for (const Metric& candidate : result.metrics)
-      if (candidate.name == metric) values.push_back(candidate.value);
+    if (const std::optional<double> value = value_of(result.metrics, metric)) values.push_back(*value);
   return values;
 }
 
@@ -120,8 +118,7 @@ Statistics statistics_of(const Ensemble& ensemble, const std::string& metric) {
 
 double parameter_of(const Ensemble& ensemble, const std::string& name) {
   for (const Result& result : ensemble)
-    for (const Metric& parameter : result.parameters)
-      if (parameter.name == name) return parameter.value;
+    if (const std::optional<double> value = value_of(result.parameters, name)) return *value;
   return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -10,12 +10,6 @@
 namespace flowslide {
 namespace {
 
-std::optional<double> value_of(const std::vector<Metric>& metrics, const std::string& name) {
-  for (const Metric& metric : metrics)
-    if (metric.name == name) return metric.value;
-  return {};
-}
-
 /// The largest magnitude along any axis.
 double largest(const std::vector<Metric>& metrics, const std::string& name) {
   double most = 0.0;

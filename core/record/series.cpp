@@ -75,6 +75,12 @@ void Series::check() const {
   for (const Column& column : columns) check_column(column, rows(), used);
 }
 
+std::optional<double> value_of(const std::vector<Metric>& metrics, std::string_view name) {
+  for (const Metric& metric : metrics)
+    if (metric.name == name) return metric.value;
+  return std::nullopt;
+}
+
 void check_metrics(std::span<const Metric> metrics) {
   std::set<std::string> used;
   for (const Metric& metric : metrics) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ struct Metric {
   std::string units;      ///< SI; "1" if dimensionless
   std::string long_name;  ///< name for readers
 };
+
+/// The value of the metric `name`; empty without one.
+std::optional<double> value_of(const std::vector<Metric>& metrics, std::string_view name);
 
 /// True if `name` can name a column, a metric or a profile.
 bool is_valid_name(std::string_view name);

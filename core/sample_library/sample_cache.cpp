@@ -25,8 +25,7 @@ constexpr std::int64_t typical_steps = 200'000;
 constexpr std::chrono::milliseconds time_between_tries{50};
 
 double metric(const StoredSample& stored, const std::string& name) {
-  for (const Metric& candidate : stored.metrics)
-    if (candidate.name == name) return candidate.value;
+  if (const std::optional<double> value = value_of(stored.metrics, name)) return *value;
   throw CorruptFileError("has no '" + name + "': it is of another version; delete it, and it will be prepared again");
 }
 

@@ -95,5 +95,11 @@ TEST(Series, TellsWhichColumnsItHasAndTheirLastValues) {
   EXPECT_TRUE(std::isnan(example_series(0).last("time")));
 }
 
+TEST(ValueOf, IsThatOfTheMetricOfThisName) {
+  const std::vector<Metric> metrics{{"peak", 3.0, "Pa", "peak"}, {"runout", 2.0, "m", "runout"}};
+  EXPECT_EQ(value_of(metrics, "runout"), 2.0);
+  EXPECT_EQ(value_of(metrics, "run"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace flowslide
