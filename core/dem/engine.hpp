@@ -6,6 +6,7 @@
 
 #include "dem/drag_reference.hpp"
 #include "grains/assembly.hpp"
+#include "grains/cell_stress.hpp"
 #include "grains/material.hpp"
 
 namespace flowslide {
@@ -28,19 +29,6 @@ struct BoundaryMotion {
   /// motion.
   double compression_rate_x = 0.0;
   double compression_rate_y = 0.0;
-};
-
-/// Mean stress of the cell from contacts (no kinetic part, no drag), Pa. Compression is positive. Shear is positive
-/// when the top drags the sample towards +x (downslope).
-struct CellStress {
-  double normal = 0.0;      ///< sigma = sigma_zz
-  double shear = 0.0;       ///< tau = -sigma_zx, see slope_stress
-  double transverse = 0.0;  ///< -sigma_zy, likewise
-  double lateral_x = 0.0;   ///< sigma_xx
-  double lateral_y = 0.0;   ///< sigma_yy
-
-  /// p, the mean stress.
-  double mean() const { return (normal + lateral_x + lateral_y) / 3.0; }
 };
 
 /// Parameters that may change between two calls of `run`.

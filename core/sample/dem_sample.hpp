@@ -3,6 +3,7 @@
 #include <ctime>
 #include <memory>
 
+#include "dem/engine.hpp"
 #include "sample/glued_layers.hpp"
 #include "sample/sample.hpp"
 #include "sample/strain_height.hpp"

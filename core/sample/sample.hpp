@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "dem/engine.hpp"
+#include "grains/cell_stress.hpp"
 #include "sample/sample_state.hpp"
 
 namespace flowslide {
