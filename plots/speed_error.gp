@@ -15,16 +15,18 @@ fronts = "element_front.dat trigger_front.dat pulse_front.dat"
 array scene[3] = ["element", "trigger", "pulse"]
 array title[3] = ["element test", "trigger", "pulse"]
 # What a setting changes: as in the tables, and in words.
-settings = 15
+settings = 17
 array axis_names[settings] = ["dt_L", "strain_rate", "engine,_precision", "E", "rolling", "all", "dt_G", "n_accum", \
-                              "eq._18,_17", "stress_every_n-th", "hybrid", "N", "RI:_floor", "RI:_I", "RI:_rest"]
+                              "eq._18,_17", "stress_every_n-th", "hybrid", "N", "RI:_floor", "RI:_I", "RI:_rest", \
+                              "adaptive_dt_L", "RI:_adaptive_dt_L"]
 array shown[settings] = ["time step of the grains", "strain rate", "engine or precision", "stiffness of the grains", \
   "no rolling resistance", "fast settings together", "time step of the slope", "steps per exchange", \
   "eq. 17 or eq. 18 as printed", "stress at every n-th exchange", "hybrid rate", "number of grains", "RI: least rate", \
-  "RI: inertial number", "RI: liquefied sand at rest"]
+  "RI: inertial number", "RI: liquefied sand at rest", "adaptive time step", \
+  "RI: adaptive time step"]
 array colour[settings] = [blue, vermillion, green, purple, orange, black, sky, purple, orange, grey, vermillion, \
-                          black, blue, green, vermillion]
-array symbol[settings] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10]
+                          black, blue, green, vermillion, sky, purple]
+array symbol[settings] = [7, 5, 9, 11, 13, 3, 5, 7, 9, 11, 13, 4, 6, 8, 10, 13, 12]
 seconds_of(i) = strcol("axis") eq axis_names[i] ? column("seconds") : NaN
 paper(s) = first_where("paper.dat", "seconds", "scene", scene[s])
 least_error = 5e-5; largest_error = 100.0

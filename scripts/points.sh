@@ -71,7 +71,7 @@ progress_line() {
 run_points() {
   local name=$1 points=$2 jobs=$3 group started=$SECONDS predicted point code
   shift 3
-  [[ -n $points ]] || die "reproduce: $name lists no run for these figures" 3
+  [[ -n $points ]] || die "reproduce: $name lists no run for these figures" 2
   predicted=$(wall_time "$jobs" <<<"$points")
   scratch=$(mktemp -d) clear_line=''
   [[ ! -t 2 ]] || clear_line=$'\r\033[K'
@@ -85,18 +85,19 @@ run_points() {
   group=$(jobs -p %%)
   set +m
   # shellcheck disable=SC2064  # $group must expand now
-  trap "stop_points $group" INT TERM
+  trap "stop_points $group" INT TERM HUP
 
   while kill -0 -- "-$group" 2>/dev/null; do
     [[ ! -t 2 ]] || printf '%s%s' "$clear_line" "$(progress_line "$name" "$points" "$predicted" "$started")" >&2
     sleep 1
   done
-  trap - INT TERM
+  trap - INT TERM HUP
   printf '%s' "$clear_line" >&2
   wait || true
 
   while IFS=$'\t' read -r point _; do
-    code=$(cat "$scratch/$point" 2>/dev/null || echo 3)
+    code=$(cat "$scratch/$point" 2>/dev/null) || code=''
+    [[ -n $code ]] || code=1   # killed, or no space for its code
     ((code == 0)) || die "reproduce: run $point of $name ended with exit code $code; no figure is plotted" "$code"
   done <<<"$points"
   rm -r "$scratch"

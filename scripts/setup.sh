@@ -2,6 +2,7 @@
 # shellcheck shell=bash
 # Set-up that ./check and ./reproduce share: packages, configuration, build. Sourced. Sets `root`.
 
+unset CDPATH   # with it, cd prints the folder
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # awk, printf and sort use a decimal point in every locale of the user.
@@ -53,7 +54,7 @@ quietly() {
 install_packages() {
   local missing as_root=()
   command -v dpkg-query >/dev/null || die \
-    "flowslide: this is not Debian: install the packages of packages.txt, then run: cmake --workflow --preset release"
+    "flowslide: this is not Debian: install the packages of packages.txt, then run: cmake --workflow --preset release" 1
   mapfile -t missing < <(missing_packages)
   ((${#missing[@]})) || return 0
 
@@ -62,7 +63,7 @@ install_packages() {
     as_root=(sudo -n)
     if ! command -v sudo >/dev/null || ! sudo -n true 2>/dev/null; then
       say "flowslide: Debian packages are missing, and this user cannot install them without a password. Run as root:"
-      die "  apt-get update && ${install[*]}"
+      die "  apt-get update && ${install[*]}" 1
     fi
   fi
   local quiet=(env DEBIAN_FRONTEND=noninteractive) options=(-q -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0)

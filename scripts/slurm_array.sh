@@ -19,9 +19,16 @@ point=${points[SLURM_ARRAY_TASK_ID - 1]}
 # Each rank uses one thread. mpirun in COMMAND uses the cores of the task.
 export OMP_NUM_THREADS=1
 
+# A task that was queued again continues from its checkpoint, which --afresh would delete.
+if ((${SLURM_RESTART_COUNT:-0} > 0)); then
+  command=()
+  for word; do [[ $word == --afresh ]] || command+=("$word"); done
+  set -- "${command[@]}"
+fi
 "$@" --point "$point" &
 running=$! told=no
-trap 'told=yes; kill -TERM "$running"' TERM
+# USR1 and TERM mean the same to a run. mpirun passes USR1 on; after TERM it kills its ranks within a second.
+trap 'told=yes; kill -USR1 "$running"' TERM
 while :; do   # a signal ends `wait` before the program ends, so wait again
   wait "$running"
   code=$?

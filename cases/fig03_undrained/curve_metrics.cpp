@@ -82,19 +82,19 @@ void add_liquefaction(std::vector<Metric>& metrics, const Record& record) {
                      "1", "largest shear stress after the lowest normal stress over the first peak"});
 }
 
-void add_rates(std::vector<Metric>& metrics, const Record& record) {
+void add_rates(std::vector<Metric>& metrics, const Record& record, double strain_at_peak) {
   metrics.push_back({"initial_inertial_number", record.at("inertial_number", 0), "1", "inertial number at the start"});
-  double most = 0.0, largest = 0.0, kinetic = 0.0;
+  double fast_from = std::numeric_limits<double>::infinity(), largest = 0.0, kinetic = 0.0;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const double number = record.at("inertial_number", row), normal = record.at("normal_stress", row);
     largest = std::max(largest, number);
-    if (number > quasi_static) most = std::max(most, record.at("mean_stress", row) / record.scale());
+    if (number > quasi_static) fast_from = std::min(fast_from, record.strain(row));
     const double share = record.at("kinetic_normal_stress", row) / normal;
     if (normal > carries_stress * record.scale()) kinetic = std::max(kinetic, share);
   }
   metrics.push_back({"largest_inertial_number", largest, "1", "largest inertial number of the test"});
-  metrics.push_back({"mean_stress_when_not_quasi_static", most, "1",
-                     "largest mean stress over sigma_0 at which the inertial number exceeds 1e-3"});
+  metrics.push_back({"strain_when_not_quasi_static_over_peak", fast_from / strain_at_peak, "1",
+                     "first strain at which the inertial number exceeds 1e-3, over that at the peak"});
   metrics.push_back({"kinetic_share", kinetic, "1",
                      "largest kinetic over contact normal stress while the sample bears 1 % of sigma_0"});
 }
@@ -126,7 +126,7 @@ std::vector<Metric> curve_metrics(const Series& series, const StressPeak& peak, 
   std::vector<Metric> metrics{{"peak_shear_stress", peak.stress, "Pa", "largest shear stress up to 5 % strain"},
                               {"strain_at_peak", peak.strain, "1", "shear strain at that stress"}};
   add_liquefaction(metrics, record);
-  add_rates(metrics, record);
+  add_rates(metrics, record, peak.strain);
   add_formulas(metrics, record);
   // Ratios and means without data are not finite. A result accepts finite metrics only.
   std::erase_if(metrics, [](const Metric& metric) { return !std::isfinite(metric.value); });

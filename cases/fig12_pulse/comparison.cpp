@@ -47,6 +47,7 @@ void add_parting(const Ensemble& rd, const Ensemble& ri, std::map<std::string, d
   for (const auto& [a, b] : paired(rd, ri))
     velocities.push_back(parting_velocity(windows_over(*a, "displacement"), windows_over(*b, "displacement")));
   if (velocities.empty()) return;
+  std::erase_if(velocities, [](double velocity) { return std::isnan(velocity); });
   const Statistics all = statistics_of(velocities);
   metrics["parting_velocity.median"] = all.median;
   metrics["parting_velocity.lowest"] = all.lowest;
@@ -87,11 +88,13 @@ double parting_velocity(const Series& rd, const Series& ri) {
   const double end = std::min(end_of(rd), end_of(ri)) - interval;
   if (!(end > interval)) return std::numeric_limits<double>::quiet_NaN();
   double together = 0.0;
+  bool parted = false;
   for (double place = interval; place < end; place += interval) {
     const double velocity = velocity_near(ri, place);
-    if (velocity_near(rd, place) >= (1.0 - apart) * velocity) together = velocity;
+    parted = velocity_near(rd, place) < (1.0 - apart) * velocity;
+    if (!parted) together = velocity;
   }
-  return together;
+  return parted ? together : std::numeric_limits<double>::quiet_NaN();
 }
 
 void compare_schemes(const Ensembles& slides, std::map<std::string, double>& metrics) {

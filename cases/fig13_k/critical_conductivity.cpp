@@ -48,11 +48,12 @@ void add_critical(const std::vector<SweepMember>& sweep, std::map<std::string, d
   if (sweep.empty()) return;
   for (const Result& first : *sweep.front().ensemble) {
     const auto [lower, upper] = critical_conductivity(sweep, first);
-    if (!(lower > 0.0 && std::isfinite(upper))) continue;
-    middles.push_back(std::sqrt(lower * upper));
-    bounds.insert(bounds.end(), {lower, upper});
+    if (std::isnan(lower)) continue;
+    const double highest = std::isnan(upper) ? std::numeric_limits<double>::infinity() : upper;
+    middles.push_back(lower > 0.0 ? std::sqrt(lower * highest) : 0.0);
+    bounds.insert(bounds.end(), {lower, highest});
   }
-  if (middles.empty()) return;
+  if (middles.empty() || !std::isfinite(statistics_of(middles).median)) return;
   metrics["critical_conductivity"] = statistics_of(middles).median;
   metrics["critical_conductivity_lower"] = statistics_of(bounds).lowest;
   metrics["critical_conductivity_upper"] = statistics_of(bounds).highest;
@@ -81,8 +82,8 @@ void compare_conductivities(const Ensembles& slides, std::map<std::string, doubl
   for (std::size_t i = 0; i < ri.size(); ++i) {
     const double k = ri[i].parameter;
     if (k > 0.0 && k < metrics.at("critical_conductivity")) below = std::fmax(below, change[i]);
-    if (k > metrics.at("critical_conductivity_upper"))
-      stopped = std::fmin(stopped, statistics_of(*ri[i].ensemble, "sliding_stopped").mean);
+    if (k >= metrics.at("critical_conductivity_upper"))
+      stopped = std::fmin(stopped, statistics_of(*ri[i].ensemble, "stands").mean);
   }
   metrics["RI_change_below"] = below;
   metrics["RI_stopped_above"] = stopped;
@@ -96,7 +97,7 @@ Series critical_series(const Ensembles& slides) {
   series.columns = {{"lower", "k", "m/s", "its lower bound", "", {}}, {"upper", "k", "m/s", "its upper bound", "", {}}};
   if (metrics.empty()) return series;
   const std::array bounds{metrics.at("critical_conductivity_lower"), metrics.at("critical_conductivity_upper")};
-  series.append_row(metrics.at("critical_conductivity"), bounds);
+  if (std::isfinite(bounds[1])) series.append_row(metrics.at("critical_conductivity"), bounds);
   return series;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace flowslide {
@@ -41,7 +42,8 @@ void compare_void_ratios(const Ensembles& slides, std::map<std::string, double>&
     const Ensemble &rd = ensemble(slides, "RD", name), &ri = ensemble(slides, "RI", name);
     metrics[name + "_largest_runout"] =
         std::fmax(statistics_of(rd, "runout").highest, statistics_of(ri, "runout").highest);
-    metrics[name + "_runout_difference"] = std::abs(paired_difference(rd, ri, "runout").median);
+    const Statistics differences = paired_difference(rd, ri, "runout");
+    metrics[name + "_runout_difference"] = std::max(std::abs(differences.lowest), std::abs(differences.highest));
   }
 }
 

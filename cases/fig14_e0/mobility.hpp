@@ -14,7 +14,7 @@ namespace flowslide {
 ///   <scheme>_<n>_runout_share     runout / runout of <scheme>_e0_790
 ///   RD_<n>_velocity_over_RI, RD_<n>_runout_over_RI   RD / RI on the same sample, median over the samples
 ///   <n>_largest_runout            m, largest runout of all replicates of both schemes
-///   <n>_runout_difference         m, |RD - RI on the same sample|, of the median difference
+///   <n>_runout_difference         m, |RD - RI on the same sample|, the largest difference
 void compare_void_ratios(const Ensembles& slides, std::map<std::string, double>& metrics);
 
 }  // namespace flowslide

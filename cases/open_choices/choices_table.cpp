@@ -55,14 +55,14 @@ std::string velocity(const Ensemble& slides, const char* metric) {
   return std::isfinite(median) ? fmt::format("{:.2f}", median) : "-";
 }
 
-/// The velocity when the pulse ends, the largest, and how many slides came to rest.
+/// The velocity when the pulse ends, the largest, and how many slopes stand at the end.
 std::string velocities(const Ensembles& runs, const std::string& name) {
   const auto found = runs.find(name);
   if (found == runs.end()) return "-";
   const Ensemble& slides = found->second;
-  const std::vector<double> stopped = values_of(slides, "sliding_stopped");
-  return fmt::format("{}, {}; {:.0f} of {} stop", velocity(slides, "velocity_after_pulse"),
-                     velocity(slides, "largest_velocity"), std::accumulate(stopped.begin(), stopped.end(), 0.0),
+  const std::vector<double> standing = values_of(slides, "stands");
+  return fmt::format("{}, {}; {:.0f} of {} stand", velocity(slides, "velocity_after_pulse"),
+                     velocity(slides, "largest_velocity"), std::accumulate(standing.begin(), standing.end(), 0.0),
                      slides.size());
 }
 

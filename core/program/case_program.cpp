@@ -118,7 +118,9 @@ class CaseProgram {
     all["claims"] = nlohmann::ordered_json::array();
     for (const Claim& claim : claims_at(claims_.claims, options_.scale)) all["claims"].push_back(claim.id);
     if (!changed_.empty()) all["changed"] = changed_;
-    std::cout << (options_.json ? all.dump(1) + "\n" : text);
+    // Paths need not be UTF-8.
+    const auto written = [&] { return all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"; };
+    std::cout << (options_.json ? written() : text);
     return to_int(ExitCode::ok);
   }
 
@@ -255,6 +257,9 @@ class CaseProgram {
     if (!first_rank()) return to_int(ExitCode::ok);
     OutputFolder output = OutputFolder::open_existing(options_.output, case_.description().name);
     const std::vector<std::string> present = results_in(output);
+    if (present.size() < chosen_.size())
+      std::cerr << fmt::format("flowslide: {} of {} runs have no result; tables and claims are of the others\n",
+                               chosen_.size() - present.size(), chosen_.size());
     finish(output);
     const auto metrics = case_.metrics(output.path(), present);
     std::vector<Provenance> origins;

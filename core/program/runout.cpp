@@ -78,6 +78,9 @@ std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
   const auto* pulse = std::get_if<SinePulse>(&outcome.point.settings.loading);
   const Series& over_time = outcome.measures.over_time;
   const bool stopped = outcome.stop == Stop::sliding_stopped;
+  const auto& velocities = outcome.series.column("velocity").values;
+  const double sliding = outcome.point.stop.sliding_velocity;  // infinite if not given
+  const bool triggered = std::isinf(sliding) || *std::max_element(velocities.begin(), velocities.end()) > sliding;
   double after = pulse != nullptr ? velocity_at(over_time, pulse->duration) : undefined;
   if (pulse != nullptr && stopped && std::isnan(after)) after = 0.0;
   return {{"peak_shear_stress", outcome.measures.peak_to_2.stress, "Pa", "largest shear stress up to 2 % strain"},
@@ -88,6 +91,7 @@ std::vector<Metric> pulse_runout(const SlideOutcome& outcome) {
           {"velocity_after_pulse", after, "m/s", "sliding velocity when the pulse ends"},
           {"runout", outcome.series.last("displacement"), "m", "sliding distance at the end"},
           {"sliding_stopped", stopped ? 1.0 : 0.0, "1", "1 if sliding has stopped"},
+          {"stands", stopped || !triggered ? 1.0 : 0.0, "1", "1 if sliding has stopped or was never triggered"},
           {"sliding_time", outcome.series.last("time"), "s", "time at the end"}};
 }
 

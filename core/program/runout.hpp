@@ -29,6 +29,7 @@ double velocity_at(const Series& over_time, double time);
 ///                         NaN for another loading
 ///   runout                m, sliding distance at the end of the record
 ///   sliding_stopped       1 if v fell to 0 (see StopConditions); 0 if the slope still slides or was never triggered
+///   stands                1 if sliding has stopped, or if v never exceeded sliding_velocity (see StopConditions)
 ///   sliding_time          s, end of the record: sliding stopped, or the run ended
 std::vector<Metric> pulse_runout(const SlideOutcome& outcome);
 

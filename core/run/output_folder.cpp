@@ -63,6 +63,7 @@ void check_foreign_files(const fs::path& path) {
   if (failure) refuse(path, fmt::format("cannot be read: {}", failure.message()));
   for (const fs::directory_entry& entry : entries) {
     if (entry.path().filename() == mark_folder) continue;
+    if (!marked_case(path).empty()) return;  // another run of the case has begun meanwhile
     refuse(path,
            fmt::format("holds files that this program did not write, such as {}", entry.path().filename().string()));
   }

@@ -64,7 +64,7 @@ FoundResult find_result(const std::filesystem::path& file, const RunIdentity& id
   try {
     const std::string difference = identity.difference_from(RunIdentity(read_result(file)));
     return {difference.empty() ? Standing::complete : Standing::other, difference};
-  } catch (const FileError& error) {
+  } catch (const CorruptFileError& error) {  // a file that cannot be read now may be sound
     return {Standing::damaged, error.what()};
   }
 }

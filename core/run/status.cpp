@@ -85,7 +85,7 @@ std::string status_json(const std::vector<PointStatus>& points) {
                              {"checkpoint_age", rounded(point.age, 10)},
                              {"place", point.place},
                              {"sample", point.sample}});
-  return all.dump(1) + "\n";
+  return all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace flowslide

@@ -35,8 +35,9 @@ Series slide(double end) {
   return series;
 }
 
-std::map<std::string, double> metrics_of(double end, double duration, Stop stop) {
+std::map<std::string, double> metrics_of(double end, double duration, Stop stop, double sliding_velocity = 0.05) {
   SlidePoint point;
+  point.stop.sliding_velocity = sliding_velocity;
   point.settings.loading = SinePulse{3e3, duration};
   const Series series = slide(end), profiles;
   std::map<std::string, double> values;
@@ -54,6 +55,7 @@ TEST(PulseRunout, MeasuresASlideThatGoesOn) {
   EXPECT_NEAR(metrics.at("velocity_after_pulse"), 0.5, rounding);
   EXPECT_NEAR(metrics.at("runout"), 0.5 + 0.2 - 0.04, rounding);
   EXPECT_EQ(metrics.at("sliding_stopped"), 0.0);
+  EXPECT_EQ(metrics.at("stands"), 0.0);
   EXPECT_NEAR(metrics.at("sliding_time"), 1.2, rounding);
 }
 
@@ -61,6 +63,8 @@ TEST(PulseRunout, KnowsThatASlopeThatStoppedHasNoVelocity) {
   const auto stopped = metrics_of(1.5, 2.0, Stop::sliding_stopped);
   EXPECT_EQ(stopped.at("velocity_after_pulse"), 0.0);
   EXPECT_EQ(stopped.at("sliding_stopped"), 1.0);
+  EXPECT_EQ(stopped.at("stands"), 1.0);
+  EXPECT_EQ(metrics_of(1.2, 0.5, Stop::end_time, 2.0).at("stands"), 1.0);  // v stays below 2 m/s: never triggered
   EXPECT_TRUE(std::isnan(metrics_of(1.5, 2.0, Stop::end_time).at("velocity_after_pulse")));
 }
 

@@ -80,7 +80,7 @@ grep -q 'figure: .*fig09.png' "$folder.slurm/collect.log" || { complain 'nothing
 cat >"$room/point" <<'POINT'
 #!/usr/bin/env bash
 [[ ! -e checkpoint ]] || { echo "$* resumed" >>points; exit 0; }
-trap 'touch checkpoint; exit 75' TERM
+trap 'touch checkpoint; exit 75' USR1
 touch started
 while :; do sleep 0.1; done
 POINT

@@ -16,7 +16,7 @@ Ensemble samples(double k, const std::vector<double>& velocities) {
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     all[i].provenance.replicate = static_cast<int>(i);
     all[i].parameters = {{"hydraulic_conductivity", k, "m/s", ""}};
-    all[i].metrics = {{"sliding_stopped", velocities[i] > 0.0 ? 0.0 : 1.0, "1", ""},
+    all[i].metrics = {{"stands", velocities[i] > 0.0 ? 0.0 : 1.0, "1", ""},
                       {"velocity_after_pulse", velocities[i], "m/s", ""},
                       {"largest_velocity", velocities[i], "m/s", ""},
                       {"runout", 2.0 * velocities[i], "m", ""}};
@@ -41,10 +41,22 @@ TEST(CriticalConductivity, LiesBetweenNoChangeAndChange) {
   EXPECT_EQ(metrics.at("critical_conductivity_lower"), 1e-5);
   EXPECT_EQ(metrics.at("critical_conductivity_upper"), 4e-5);
   EXPECT_NEAR(metrics.at("RI_change_below"), 1.0 / 6.0, rounding);  // of the medians: 1.5 to 1.25 at 2e-5
-  EXPECT_EQ(metrics.at("RI_stopped_above"), 1.0);
+  EXPECT_EQ(metrics.at("RI_stopped_above"), 0.0);  // at 4e-5 both still slide
   const Series series = critical_series(slides);
   EXPECT_EQ(series.column("lower").values, std::vector<double>{1e-5});
   EXPECT_EQ(series.column("upper").values, std::vector<double>{4e-5});
+}
+
+TEST(CriticalConductivity, CountsSamplesThatStandAtOnceAndThoseThatNothingStops) {
+  const Ensembles slides{{"RI_0", samples(0, {2.0, 2.0, 2.0})},
+                         {"RI_1e-5", samples(1e-5, {0.1, 2.0, 2.0})},
+                         {"RI_4e-5", samples(4e-5, {0.0, 0.1, 2.0})}};
+  std::map<std::string, double> metrics;
+  compare_conductivities(slides, metrics);
+  EXPECT_NEAR(metrics.at("critical_conductivity"), 2e-5, rounding);  // of 0, 2e-5 and infinity
+  EXPECT_EQ(metrics.at("critical_conductivity_lower"), 0.0);
+  EXPECT_TRUE(std::isnan(metrics.at("RI_stopped_above")));  // no k is above all of them
+  EXPECT_EQ(critical_series(slides).rows(), 0U);
 }
 
 TEST(CriticalConductivity, IsWideWhereTheOrderIsMixed) {
