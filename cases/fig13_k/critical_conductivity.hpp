@@ -22,8 +22,9 @@ CriticalConductivity critical_conductivity(const std::vector<SweepMember>& sweep
 ///   RD_velocity_order, RD_runout_order   RD: rank correlation of k with the median v_max, and with the median runout
 ///   critical_conductivity_lower, _upper  m/s, RI: the lowest and the highest bound of all samples
 ///   critical_conductivity                m/s, RI: median over the samples of the geometric mean of the two bounds (the
-///                                        values of k are spaced geometrically): 0 for a sample that no k > 0 leaves
-///                                        as at k = 0, infinite for one that no k changes; none if the median is
+///                                        values of k are spaced geometrically): 0 for a sample that the smallest k > 0
+///                                        changes, infinite for one that no k changes. No metric if the median is
+///                                        infinite.
 ///   RI_change_below                      RI: largest relative change of the median v at the end of the pulse from its
 ///                                        value at k = 0, over 0 < k < critical_conductivity
 ///   RI_stopped_above                     RI: smallest fraction of the samples that stand at the end, over all

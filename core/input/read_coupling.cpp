@@ -43,7 +43,9 @@ std::optional<LiquefiedRest> read_rest(const Tables& coupling) {
 /// Refuses a rest where the strain that it leaves out would be missed (see LiquefiedRest).
 void check_rest(const Tables& coupling, const SlideSettings& settings) {
   if (!settings.rest) return;
-  if (!std::holds_alternative<ConstantInertialNumber>(settings.rate))
+  const bool follows_slope = std::holds_alternative<GlobalRate>(settings.rate) ||
+                             std::holds_alternative<GlobalRateAtLeastQuasiStatic>(settings.rate);
+  if (follows_slope)
     coupling.refuse("rest_stress",
                     fmt::format("leaves strain out, and {} = \"{}\" passes the rate of the slope, at which a liquefied "
                                 "sample bears stress", coupling.key("rate"), coupling.text("rate")),

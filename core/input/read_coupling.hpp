@@ -56,8 +56,8 @@ inline constexpr double largest_portion = 1e-3;
 /// Reads all settings of a slide except its loading (see read_loading). Keys beside those of the readers above:
 /// time_step; consolidation = "euler" or "exponential"; residual = "fades", "left_out" or "stays"; shear_modulus and
 /// oedometric_modulus (upper bounds for the sample, Pa); allow_unstable. Optional keys: initial_velocity,
-/// stress_interval, and rest_stress with probed_strain and rested_strain (see LiquefiedRest), which are refused with
-/// another rate than "constant_inertial_number" and on a slope that drains.
+/// stress_interval, and rest_stress with probed_strain and rested_strain (see LiquefiedRest), which are refused at
+/// the rate of the slope and on a slope that drains.
 ///
 /// Unless allow_unstable, three values are refused. dt_G must not exceed the limits of stability of sliding and, with
 /// "euler", of consolidation. The stress is held for n_accum stress_interval steps of dt_L, or of its largest value. If

@@ -27,7 +27,7 @@ struct RunVersions {
 /// All that determines one run: its case, its name in the case ("point"), the resolved configuration, the contents of
 /// its input files, the sources of slides and element tests, those and the precision of its engine, and those of the
 /// preparation of its sample. Two runs of one identity have the same series. The metrics that a case adds are not part
-/// of it: `--afresh` in another folder computes them anew after a change of their sources.
+/// of it: after a change of their sources, a run in another folder computes them anew.
 class RunIdentity {
  public:
   /// Throws std::invalid_argument if an engine has no version, or a version has no engine.
