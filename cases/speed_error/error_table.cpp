@@ -16,7 +16,7 @@ SettingError setting_error(const Axis& axis, const std::string& setting, const E
   SettingError row{&axis, setting, {}, 0.0, "", 0.0, 0.0, 0.0, 0.0};
   for (const std::string& quantity : quantities_of(axis.scene)) {
     row.errors.push_back(error_of(runs, reference, quantity));
-    const double ratio = row.errors.back().ratio();
+    const double ratio = row.errors.back().at_most();
     if (ratio <= row.error_over_spread && !row.worst.empty()) continue;
     row.error_over_spread = ratio;
     if (std::isnan(ratio)) row.error_over_spread = infinite;

@@ -29,7 +29,10 @@ struct QuantityError {
   double error = 0.0;           ///< |mean of the differences|; NaN if a replicate does not have the quantity
   double standard_error = 0.0;  ///< standard error of this mean; NaN for one replicate
   double spread = 0.0;          ///< highest - lowest value over the seeds of the reference
-  double ratio() const { return error / spread; }
+  /// The largest and the smallest error that the replicates do not exclude, the mean +- 2 standard errors, over the
+  /// spread. NaN for one replicate. A mean alone would pass two unrelated samples, whose differences average out.
+  double at_most() const { return (error + 2.0 * standard_error) / spread; }
+  double at_least() const { return (error - 2.0 * standard_error) / spread; }
 };
 
 /// Errors and cost of one setting of one axis.
@@ -37,7 +40,7 @@ struct SettingError {
   const Axis* axis = nullptr;
   std::string setting;
   std::vector<QuantityError> errors;
-  double error_over_spread = 0.0;  ///< largest error/spread of all quantities; infinity if a quantity is missing
+  double error_over_spread = 0.0;  ///< largest at_most() of all quantities; infinity if one of them is NaN
   std::string worst;               ///< the quantity with this ratio
   double grains = 0.0, steps = 0.0, grain_steps = 0.0;  ///< means over the replicates; 0 for a closed-form sample
   double seconds = 0.0;            ///< mean processor time, s

@@ -41,6 +41,14 @@ std::string error_text(const QuantityError& error) {
   return fmt::format("{} ± {} ({})", percent(error.error), percent(error.standard_error), percent(error.spread));
 }
 
+std::string verdict_of(const SettingError& row) {
+  if (row.below_noise()) return "below the noise";
+  const bool one_seed = std::ranges::any_of(row.errors, [](const QuantityError& error) {
+    return std::isfinite(error.error) && std::isnan(error.standard_error);
+  });
+  return one_seed ? "one seed" : "**" + symbol_of(row.worst) + "**";
+}
+
 std::string times_text(double times) {
   return times < 1e4 ? fmt::format("{:.3g}", times) : fmt::format("{:.2g}", times);
 }
@@ -75,8 +83,7 @@ std::string table_of(const Report& report, Scene scene) {
                         row.steps / row.seconds);
     for (const QuantityError& error : row.errors) text += "| " + error_text(error) + " ";
     text += fmt::format("| {:.2g} | {} | {} |\n", row.error_over_spread,
-                        row.below_noise() ? "below the noise" : "**" + symbol_of(row.worst) + "**",
-                        speed_up(paper, row.seconds, row.grains));
+                        verdict_of(row), speed_up(paper, row.seconds, row.grains));
   }
   return text + "\n";
 }
@@ -111,7 +118,7 @@ std::string word_of(std::string text) {
 void write_plot_tables(const std::filesystem::path& folder, const Report& report) {
   const Column label{"label", "", "text", "setting", "", {}};
   const Column seconds{"seconds", "t", "s", "processor time of straining the sample", "", {}};
-  const Column error{"error_over_spread", "", "1", "largest error over the spread over seeds", "", {}};
+  const Column error{"error_over_spread", "", "1", "largest error and two standard errors over the spread over seeds", "", {}};
   for (const Scene scene : all_scenes) {
     std::string all = table_head({label, {"axis", "", "text", "what the setting changes, '_' for each blank", "", {}},
                                   seconds, {"grain_steps", "N n_L", "1", "grains times DEM steps", "", {}}, error,
@@ -178,9 +185,9 @@ std::string label_of(const std::string& setting, Scene scene) {
 std::string markdown(const Report& report) {
   std::string text =
       "Error against the reference of the axis, in percent: mean of the differences over the seeds ± its standard\n"
-      "error, in brackets the spread over the seeds (highest less lowest). Core seconds: processor time of one "
-      "process\n"
-      "in the sample alone. x LIGGGHTS: as fast as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
+      "error, in brackets the spread over the seeds (highest less lowest). error/spread: the mean and two standard\n"
+      "errors over the spread. Core seconds: processor time of one process in the sample alone. x LIGGGHTS: as fast\n"
+      "as LIGGGHTS at the paper's settings; same N: as fast per grain.\n\n";
   for (const Scene scene : all_scenes) text += table_of(report, scene);
   text += "### The cheapest settings whose error is below the noise\n\n";
   for (const Scene scene : all_scenes) text += recommendation(report, scene);

@@ -74,7 +74,8 @@ void SpeedCase::compare(const Ensembles& runs, std::map<std::string, double>& me
     metrics[axis + "." + row.setting + ".error_over_spread"] = row.error_over_spread;
     for (const QuantityError& error : row.errors) {
       metrics[axis + "." + row.setting + "." + error.quantity + ".error"] = error.error;
-      metrics[axis + "." + row.setting + "." + error.quantity + ".error_over_spread"] = error.ratio();
+      metrics[axis + "." + row.setting + "." + error.quantity + ".error_over_spread"] = error.at_most();
+      metrics[axis + "." + row.setting + "." + error.quantity + ".least_error_over_spread"] = error.at_least();
     }
     double& largest = metrics[axis + ".largest_error_over_spread"];
     largest = std::max(largest, row.error_over_spread);

@@ -17,13 +17,21 @@ TEST(ErrorOf, IsTheMeanDifferenceOnTheSameSeeds) {
   EXPECT_NEAR(error.error, 0.3 / 2.0, rounding);
   EXPECT_NEAR(error.standard_error, std::sqrt(0.03) / std::sqrt(3.0) / 2.0, rounding);
   EXPECT_NEAR(error.spread, 1.0, rounding);
-  EXPECT_NEAR(error.ratio(), 0.15, rounding);
+  EXPECT_NEAR(error.at_most(), 0.15 + 0.1, rounding);
+  EXPECT_NEAR(error.at_least(), 0.15 - 0.1, rounding);
+}
+
+TEST(ErrorOf, IsNotSmallForUnrelatedSamplesWhoseDifferencesAverageOut) {
+  const QuantityError error = error_of(pulses({3.0, 2.0, 1.0}), pulses({1.0, 2.0, 3.0}), "largest_velocity");
+  EXPECT_NEAR(error.error, 0.0, rounding);
+  EXPECT_GT(error.at_most(), 1.0);
 }
 
 TEST(ErrorOf, LeavesOutSeedsThatOneLacksButNotFromTheSpread) {
   const QuantityError error = error_of(pulses({1.2}), pulses({1.0, 2.0, 3.0}), "largest_velocity");
   EXPECT_NEAR(error.error, 0.1, rounding);
   EXPECT_TRUE(std::isnan(error.standard_error));  // one difference has no standard error
+  EXPECT_TRUE(std::isnan(error.at_most()));
   EXPECT_NEAR(error.spread, 1.0, rounding);
 }
 

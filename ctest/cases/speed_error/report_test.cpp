@@ -42,6 +42,13 @@ TEST_F(ReportTest, TellsErrorCostAndSpeedUp) {
   EXPECT_CONTAINS(text, "- pulse: 2000 spheres x 1e+06 steps x 1e+03 ns = 0.56 h");
 }
 
+TEST_F(ReportTest, GivesNoVerdictOnOneSeed) {
+  const std::vector<Axis> axes{{"pulse_engine", "engine", Scene::pulse, "pulse", {"pulse_liggghts"}, true}};
+  const Ensembles runs{{"pulse", pulses({1.0, 2.0})}, {"pulse_liggghts", pulses({1.1})}};
+  const Report one{errors_of(axes, runs), {{Scene::element, {}}, {Scene::trigger, {}}, {Scene::pulse, {}}}, {}};
+  EXPECT_CONTAINS(markdown(one), " | inf | one seed | - | - |");
+}
+
 TEST_F(ReportTest, GivesGnuplotAndHdf5WhatTheTableHas) {
   const TemporaryFolder folder;
   write_report(folder.path(), report());
