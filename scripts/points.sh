@@ -32,12 +32,12 @@ duration() {
                          else printf "%.1f h", s / 3600 }'
 }
 
-# run_point POINT COMMAND...: runs one point and writes its exit code to $scratch/POINT for run_points. Called by xargs.
+# run_point COMMAND... POINT: runs one point and writes its exit code to $scratch/POINT for run_points. Called by xargs.
 run_point() {
-  local code=0
+  local code=0 point=${!#}
   # stderr goes through a pipe: a program then writes whole lines from time to time and does not rewrite one line.
-  { "${@:2}" --point "$1" </dev/null 2>&1 1>&3 | (trap '' INT TERM; exec sed -u "s/^/$clear_line/" >&2); } 3>&1 || code=$?
-  echo "$code" >"$scratch/$1"
+  { "${@:1:$#-1}" --point "$point" </dev/null 2>&1 1>&3 | (trap '' INT TERM; exec sed -u "s/^/$clear_line/" >&2); } 3>&1 || code=$?
+  echo "$code" >"$scratch/$point"
 }
 export -f run_point
 
@@ -81,7 +81,7 @@ run_points() {
 
   set -m   # the runs get a process group of their own, so one signal reaches all of them
   cut -f 1 <<<"$points" | tr '\n' '\0' |
-    xargs -0 -P "$jobs" -I '{}' bash -c 'set -o pipefail; run_point "$@"' - '{}' "$@" &
+    xargs -0 -P "$jobs" -n 1 bash -c 'set -o pipefail; run_point "$@"' - "$@" &
   group=$(jobs -p %%)
   set +m
   # shellcheck disable=SC2064  # $group must expand now
