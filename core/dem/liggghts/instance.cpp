@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dem/liggghts/instance.hpp"
 
-#include <fmt/format.h>
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
@@ -10,11 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -115,7 +114,7 @@ void LiggghtsInstance::open_log() {
   MPI_Bcast(&reason, 1, MPI_INT, 0, communicator());
   if (reason == 0) return;
   idle().emplace_back(instance_);
-  throw EngineError(fmt::format("LIGGGHTS cannot write its log {}: {}", log_.string(), std::strerror(reason)));
+  throw std::system_error(reason, std::generic_category(), "LIGGGHTS cannot write its log " + log_.string());
 }
 
 void LiggghtsInstance::command(const std::string& line) {

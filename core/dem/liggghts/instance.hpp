@@ -15,7 +15,7 @@ namespace flowslide {
 /// Errors in LIGGGHTS throw EngineError; the message gives the command and the log.
 class LiggghtsInstance {
  public:
-  /// Uses a copy of `communicator`; collective over it. Throws EngineError if the log cannot be written.
+  /// Uses a copy of `communicator`; collective over it. Throws std::system_error if the log cannot be written.
   explicit LiggghtsInstance(std::filesystem::path log, MPI_Comm communicator = MPI_COMM_SELF);
   ~LiggghtsInstance();
   LiggghtsInstance(const LiggghtsInstance&) = delete;

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <system_error>
 
 #include "dem/engine.hpp"
 
@@ -51,6 +53,19 @@ TEST(Instance, SaysWhichLogCannotBeWritten) {
     EXPECT_NE(std::string(error.what()).find("/dev/null/no/log.txt: Not a directory"), std::string::npos);
   }
   EXPECT_NO_THROW(LiggghtsInstance(testing::TempDir() + "one.log"));  // the instance is used again
+}
+
+TEST(Instance, RefusesALogThatCannotBeWrittenAndStaysUsable) {
+  const std::string log = testing::TempDir() + "missing_folder/one.log";
+  try {
+    LiggghtsInstance instance(log);
+    FAIL() << "the log was accepted";
+  } catch (const std::system_error& error) {
+    EXPECT_NE(std::string(error.what()).find(log), std::string::npos) << error.what();
+  }
+  LiggghtsInstance again(testing::TempDir() + "one.log");
+  again.command("timestep 0.25");
+  EXPECT_EQ(again->update->dt, 0.25);
 }
 
 }  // namespace
