@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 13: runout at several hydraulic conductivities k, RD (solid) and RI (dark dashes). (A) Sliding velocity; thin:
-# each sample; thick: the median, up to the displacement that all samples reach. (B) Excess pore pressure: medians of
+# each sample; thick: the median, as far as more than half of the samples slide. (B) Excess pore pressure: medians of
 # means over 1/25 of the distance. (C) Largest velocity over k; grey: the interval of k in which drainage begins to slow
 # RI; line: the paper's critical k.
 conductivities = "0 5e-6 1e-5 2e-5 4e-5 1e-4"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Figure 14: runout on samples of four void ratios, RD (solid) and RI (dark dashes). (A) Sliding velocity; thin: each
-# sample; thick: the median, up to the displacement that all samples reach; inset: the densest samples. (B) Excess pore
+# sample; thick: the median, as far as more than half of the samples slide; inset: the densest samples. (B) Excess pore
 # pressure: medians of means over 1/25 of the distance. (C) Largest velocity over the void ratio of our samples.
 void_ratios = "790 771 765 751"   # loose to dense
 slide(scheme, i) = scheme."_e0_".word(void_ratios, i)

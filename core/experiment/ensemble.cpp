@@ -183,14 +183,19 @@ double mean_between(const Series& series, const std::string& column, const std::
   return Curve(series, column, abscissa).mean(from, end);
 }
 
-Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows) {
+Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows, BandEnd end) {
   const Series& first = ensemble.front().series;
-  double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double from = -infinite;
+  std::vector<double> ends;
   for (const Result& result : ensemble) {
     const std::vector<double>& values = result.series.column(abscissa).values;
-    from = values.empty() ? to : std::max(from, values.front());
-    to = std::min(to, largest(values));
+    from = values.empty() ? infinite : std::max(from, values.front());
+    ends.push_back(largest(values));
   }
+  std::vector<double> longest_first = ends;
+  std::ranges::sort(longest_first, std::greater<>());
+  const double to = end == BandEnd::all ? longest_first.back() : longest_first[ends.size() / 2];
   if (!(to > from)) rows = 0;  // columns without values
   Series band;
   band.axis = first.column(abscissa);
@@ -204,7 +209,9 @@ Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows
     for (int row = 0; row < rows; ++row) {
       std::vector<double> values;
       values.reserve(curves.size());
-      for (const Curve& curve : curves) values.push_back(curve.mean(from + row * width, from + (row + 1) * width));
+      const double upper = from + (row + 1) * width;
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        if (ends[i] >= std::min(upper, to)) values.push_back(curves[i].mean(from + row * width, upper));
       columns.append(values);
     }
     columns.move_to(band);

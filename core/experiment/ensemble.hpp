@@ -69,11 +69,17 @@ std::map<std::string, double> summary_of(const Ensemble& ensemble);
 double mean_between(const Series& series, const std::string& column, const std::string& abscissa, double from,
                     double to);
 
-/// Median, lowest and highest value of all replicates over `abscissa`. The range that all replicates cover is divided
-/// into `rows` equal intervals. The value of one replicate is its mean over the interval, so noise within an interval
-/// does not count as scatter. Columns "<column>_median", "<column>_lowest", "<column>_highest" in the order of the
-/// series; the axis comes first unless it is the abscissa. Without rows if the replicates share no range.
-Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows);
+/// Where a band ends.
+enum class BandEnd {
+  all,   ///< at the end of the shortest replicate
+  most,  ///< where half of the replicates have ended; a row is of those that reach the end of its interval
+};
+
+/// Median, lowest and highest value of the replicates over `abscissa`. The range of the band is divided into `rows`
+/// equal intervals. The value of one replicate is its mean over the interval, so noise within an interval does not
+/// count as scatter. Columns "<column>_median", "<column>_lowest", "<column>_highest" in the order of the series; the
+/// axis comes first unless it is the abscissa. Without rows if the replicates share no range.
+Series band_over(const Ensemble& ensemble, const std::string& abscissa, int rows, BandEnd end = BandEnd::all);
 
 /// Median, lowest and highest value row by row, for series that share their axis, such as profiles. Ends with the
 /// shortest series. Columns that one of the series does not have are left out.

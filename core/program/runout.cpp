@@ -131,7 +131,7 @@ std::string label_of_quantity(double value) {
   return std::abs(share - 1.0) < rounding ? power : fmt::format("{:.3g}×{}", share, power);
 }
 
-Series coarse_band(const Ensemble& ensemble) { return band_over(ensemble, "displacement", coarse_rows); }
+Series coarse_band(const Ensemble& ensemble) { return band_over(ensemble, "displacement", coarse_rows, BandEnd::most); }
 
 Series sweep_series(Column axis, const std::vector<std::pair<std::string, std::vector<SweepMember>>>& schemes,
                     const std::vector<std::string>& metrics) {

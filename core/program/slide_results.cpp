@@ -18,6 +18,11 @@ Table band_table(const std::string& case_name, const std::string& slide, std::si
   return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
 }
 
+/// Some samples of a slide stop early and others slide on. Over the sliding distance a band ends with most of them.
+BandEnd end_over(const std::string& abscissa) {
+  return abscissa == "displacement" ? BandEnd::most : BandEnd::all;
+}
+
 }  // namespace
 
 std::vector<std::string> SlideCase::slide_names() const {
@@ -84,7 +89,8 @@ void SlideCase::finish(const OutputFolder& output) const {
     for (const std::string& abscissa : abscissas())
       if (ensemble.front().series.has(abscissa))
         write_table(output.file(fmt::format("{}_over_{}.dat", name, abscissa)),
-                    band_table(description_.name, name, ensemble.size(), band_over(ensemble, abscissa, band_rows)));
+                    band_table(description_.name, name, ensemble.size(),
+                               band_over(ensemble, abscissa, band_rows, end_over(abscissa))));
   for (const auto& [name, all] : profiles)
     write_table(output.file(name + "_profiles_band.dat"),
                 band_table(description_.name, name, all.size(), band_of_rows(all)));

@@ -126,6 +126,17 @@ TEST(Ensemble, HasABandOverTheRangeThatAllCover) {
   EXPECT_EQ(band_over({empty}, "x", 4).rows(), 0U);
 }
 
+TEST(Ensemble, HasABandAsFarAsMostReplicatesReach) {
+  const Ensemble three{line(1.0, 1.0), line(2.0, 5.0), line(4.0, 2.0)};   // ends and values of tau
+  const Series band = band_over(three, "x", 4, BandEnd::most);
+  EXPECT_NEAR(band.axis.values[3], 1.75, rounding);   // the second ends at 2
+  EXPECT_NEAR(column(band, "tau_median").values[1], 2.0, rounding);
+  EXPECT_NEAR(column(band, "tau_lowest").values[1], 1.0, rounding);
+  EXPECT_NEAR(column(band, "tau_lowest").values[2], 2.0, rounding);   // without the first
+  EXPECT_NEAR(column(band, "tau_median").values[2], 3.5, rounding);
+  EXPECT_NEAR(band_over({three[0], three[2]}, "x", 1, BandEnd::most).axis.values[0], 0.5, rounding);   // both reach 1
+}
+
 TEST(Ensemble, HasABandRowByRow) {
   Series first{{"z", "z", "1", "height", "", {0.0, 1.0}}, {{"v", "v", "1", "velocity", "", {1.0, 2.0}}}};
   Series second = first;
