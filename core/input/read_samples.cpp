@@ -64,12 +64,14 @@ std::uint64_t seed_offset(const Tables& sample, int replicate) {
 }
 
 /// mu_1 of a sample: the value found earlier for this replicate, or else the value with which the search starts.
-double preparation_friction(const Tables& sample, int replicate) {
+/// `own` is the table of the sample without those that it is `like`: what was found for another recipe does not help.
+double preparation_friction(const Tables& sample, const Tables& own, int replicate) {
   SampleRecipe recipe;
   read_field(sample, recipe, &SampleRecipe::preparation_friction);
-  if (!sample.has("found_preparation_frictions")) return recipe.preparation_friction;
+  sample.accept({"found_preparation_frictions"});
+  if (!own.has("found_preparation_frictions")) return recipe.preparation_friction;
   const FieldKey key = key_of(&SampleRecipe::preparation_friction);
-  const std::vector<double> found = sample.quantities("found_preparation_frictions", key.dimension(), key.range());
+  const std::vector<double> found = own.quantities("found_preparation_frictions", key.dimension(), key.range());
   return static_cast<std::size_t>(replicate) < found.size() ? found[replicate] : recipe.preparation_friction;
 }
 
@@ -130,7 +132,7 @@ std::vector<SampleSpecification> read_samples(const Configuration& configuration
     sample.recipe.normal_stress = initial_normal_stress(slope);
     sample.recipe.shear_stress = own.flag("isotropic") ? 0.0 : initial_shear_stress(slope);
     sample.recipe.periodic_height = own.has("periodic_height") && own.flag("periodic_height");
-    sample.recipe.preparation_friction = preparation_friction(own, replicate);
+    sample.recipe.preparation_friction = preparation_friction(own, Tables(configuration, tables.front()), replicate);
     read_field(own, sample.recipe, &SampleRecipe::drag);
     sample.target.void_ratio = own.number("void_ratio", Range::inside(0.55, 1.0));
     sample.target.tolerance = own.number("tolerance", Range::positive());

@@ -39,7 +39,7 @@ std::vector<std::string> samples_in_use(const Configuration& configuration);
 ///   isotropic                           true: no initial shear stress
 ///   periodic_height                     true: no glued layers (see SampleRecipe); optional, false
 ///   seed_offsets                        shift of the seed for each replicate; optional
-///   found_preparation_frictions         mu_1 for each replicate; optional
+///   found_preparation_frictions         mu_1 for each replicate; optional; not taken from the sample it is `like`
 /// The two lists hold the results of an earlier search and save the trials of the next. `replicate` (from 0) selects
 /// their items. Without an item for it, the seed is shifted by 1000 `replicate` (see seeds_per_replicate). Throws
 /// ConfigurationError.

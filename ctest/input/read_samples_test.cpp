@@ -275,6 +275,17 @@ TEST(ReadSamples, TakeFrictionsThatWereFoundBefore) {
   EXPECT_EQ(friction(2), samples_of(with(), 2)[0].recipe.preparation_friction);  // beyond the list
 }
 
+TEST(ReadSamples, DoNotTakeFrictionsThatWereFoundForTheSampleThatOneIsLike) {
+  const auto samples = samples_of(with("[sample.isotropic]", R"([sample.small]
+like = "isotropic"
+
+[sample.isotropic]
+found_preparation_frictions = [0.31])"));
+  for (const auto& sample : samples)
+    if (sample.name != "loose") EXPECT_EQ(sample.recipe.preparation_friction, sample.name == "small" ? 0.3 : 0.31);
+  EXPECT_EQ(samples.size(), 3U);
+}
+
 TEST(ReadSamples, RefuseALatticeThatIsNone) {
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "case.toml:23:18: packing.lattice = 2 is not allowed");
   EXPECT_CONTAINS(complaint("[4, 5, 6]", "[4, 5, 2]"), "3");
