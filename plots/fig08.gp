@@ -30,7 +30,7 @@ do for [format in "png pdf"] {
   set title panel("A", "stress path")
   set xlabel "normal stress {/:Italic σ} (kPa)"
   set ylabel "shear stress {/:Italic τ} (kPa)" offset 1
-  set xrange [0:30]; set yrange [0:8]
+  set xrange [0:30 < *]; set yrange [0:8 < *]   # nothing is cut off
   plot for [i = 1:2] one(i) using (kilo * column("normal_stress")):(kilo * column("shear_stress")) \
          with lines linewidth 1.2 linecolor rgb colour[i] notitle, \
        for [m = 1:2] for [i = 1:2] marks using (kilo * of_slide(i, state(m)."normal_stress")): \
@@ -40,7 +40,7 @@ do for [format in "png pdf"] {
   set title panel("B", "shear stress")
   set xlabel "time {/:Italic t} (s)"
   set xrange [0:*] noextend
-  set label 1 "{/:Italic τ_d}" at graph 0.33, graph 0.93 textcolor rgb 0x404040
+  set label 1 "{/:Italic τ_d}" at first 0.2, first 7.3 right textcolor rgb 0x404040
   eval frame(slides, "set xrange [0:1]")
   plot for [i = 1:2] band(i) using (column("time")):(kilo * column("shear_stress_lowest")): \
          (kilo * column("shear_stress_highest")) with filledcurves linecolor rgb colour[i] notitle, \

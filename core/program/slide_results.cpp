@@ -18,10 +18,9 @@ Table band_table(const std::string& case_name, const std::string& slide, std::si
   return {{{"case", case_name}, {"slide", slide}, {"replicates", fmt::format("{}", replicates)}}, std::move(series)};
 }
 
-/// Some samples of a slide stop early and others slide on. Over the sliding distance a band ends with most of them.
-BandEnd end_over(const std::string& abscissa) {
-  return abscissa == "displacement" ? BandEnd::most : BandEnd::all;
-}
+/// Some samples of a slide stop early, or bear the load, and others slide on. Over distance and strain a band ends with
+/// most of them.
+BandEnd end_over(const std::string& abscissa) { return abscissa == "time" ? BandEnd::all : BandEnd::most; }
 
 }  // namespace
 
