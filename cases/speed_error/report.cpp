@@ -118,7 +118,7 @@ std::string word_of(std::string text) {
 void write_plot_tables(const std::filesystem::path& folder, const Report& report) {
   const Column label{"label", "", "text", "setting", "", {}};
   const Column seconds{"seconds", "t", "s", "processor time of straining the sample", "", {}};
-  const Column error{"error_over_spread", "", "1", "largest error and two standard errors over the spread over seeds", "", {}};
+  const Column error{"error_over_spread", "", "1", "largest error and 2 standard errors over the spread", "", {}};
   for (const Scene scene : all_scenes) {
     std::string all = table_head({label, {"axis", "", "text", "what the setting changes, '_' for each blank", "", {}},
                                   seconds, {"grain_steps", "N n_L", "1", "grains times DEM steps", "", {}}, error,
