@@ -55,8 +55,8 @@ double rank_correlation(const std::vector<double>& first, const std::vector<doub
 std::string label_of_quantity(double value);
 
 /// Median, lowest and highest value of the replicates over the sliding distance, as far as more than half of them slide
-/// (see BandEnd::most), as means over 25 intervals. The effective stress of a sliding slope comes in short bursts that a
-/// figure cannot show one by one.
+/// (see BandEnd::most), as means over 25 intervals. The effective stress of a sliding slope comes in short bursts that
+/// a figure cannot show one by one.
 Series coarse_band(const Ensemble& ensemble);
 
 /// Sweeps by several schemes as one table. The axis is filled with the parameters that all schemes have. For each

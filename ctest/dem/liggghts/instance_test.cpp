@@ -11,8 +11,6 @@
 #include <string>
 #include <system_error>
 
-#include "dem/engine.hpp"
-
 namespace flowslide {
 namespace {
 
