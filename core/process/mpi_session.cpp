@@ -95,8 +95,10 @@ std::int64_t smallest_at_end(const AtEnd& mine) {
   for (int done = 0; !done;) {
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (done) break;
-    if (mine.longest_wait && std::chrono::steady_clock::now() - begun > *mine.longest_wait)
+    if (mine.longest_wait && std::chrono::steady_clock::now() - begun > *mine.longest_wait) {
+      mine.before_abort();
       MPI_Abort(MPI_COMM_WORLD, mine.code);
+    }
     std::this_thread::sleep_for(poll_interval);
   }
   return smallest;

@@ -3,6 +3,7 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -29,6 +30,7 @@ struct AtEnd {
   std::int64_t value = 0;                         ///< of this rank
   int code = 0;                                   ///< exit code of this rank
   std::optional<std::chrono::seconds> longest_wait;  ///< empty: waits for the others without limit
+  std::function<void()> before_abort = [] {};     ///< called before all ranks are ended
 };
 /// The smallest value over the ranks. Collective, the last call of a program. If the others do not answer within
 /// `longest_wait`, ends all ranks with `code`. Uses a communicator of its own, because a failed rank may leave messages

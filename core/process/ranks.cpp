@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 
 #include "process/exit_code.hpp"
@@ -42,10 +43,17 @@ void on_first_rank(const std::function<void()>& action) {
 
 bool same_on_all_ranks(bool value) { return value_of_first_rank(value ? 1 : 0) != 0; }
 
-int same_exit_code(int code) {
-  AtEnd mine{ordered(code, mpi_rank()), code, std::nullopt};
+int same_exit_code(int code, const std::string& unsaid) {
+  const auto say = [&unsaid] {
+    if (unsaid.empty()) return;
+    std::fprintf(stderr, "flowslide: rank %d: %s\n", mpi_rank(), unsaid.c_str());
+    std::fflush(stderr);
+  };
+  AtEnd mine{ordered(code, mpi_rank()), code, std::nullopt, say};
   if (failed(code)) mine.longest_wait = longest_wait;
-  return static_cast<int>(smallest_at_end(mine) & 0xFF);
+  const std::int64_t first = smallest_at_end(mine);
+  if (first == mine.value) say();
+  return static_cast<int>(first & 0xFF);
 }
 
 }  // namespace flowslide

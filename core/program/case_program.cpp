@@ -344,7 +344,9 @@ int run_case(Case& the_case, int argc, const char* const* argv, const std::files
     const CommandLine options = parse(argc, argv, the_case.description());
     return CaseProgram(the_case, options, folder, {argv, static_cast<std::size_t>(argc)}).run();
   };
-  return same_exit_code(run_main(program, mpi_rank()));
+  std::string unsaid;
+  const int code = run_main(program, mpi_rank(), &unsaid);
+  return same_exit_code(code, unsaid);
 }
 
 }  // namespace flowslide

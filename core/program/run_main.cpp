@@ -28,9 +28,12 @@ const char* message_of(const std::exception_ptr& failure) noexcept {
   }
 }
 
-void say(ExitCode code, const char* message, int rank) {
+void say(ExitCode code, const char* message, int rank, std::string* unsaid) {
   const bool defect = code == ExitCode::defect;
-  if (rank > 0 && !defect && code != ExitCode::numerical_failure) return;
+  if (rank > 0 && !defect && code != ExitCode::numerical_failure) {
+    if (unsaid) *unsaid = message;
+    return;
+  }
   std::fputs("flowslide: ", stderr);
   if (rank > 0) std::fprintf(stderr, "rank %d: ", rank);
   if (defect) std::fputs("this is a defect of the program, not of your input: ", stderr);
@@ -87,7 +90,7 @@ ExitCode code_of(const std::exception_ptr& failure) noexcept {
   }
 }
 
-int run_main(const std::function<int()>& body, int rank) noexcept {
+int run_main(const std::function<int()>& body, int rank, std::string* unsaid) noexcept {
   std::fflush(stdout);
   try {
     return with_output_written(body(), rank);
@@ -99,7 +102,7 @@ int run_main(const std::function<int()>& body, int rank) noexcept {
   } catch (...) {
     const std::exception_ptr failure = std::current_exception();
     const ExitCode code = code_of(failure);
-    say(code, message_of(failure), rank);
+    say(code, message_of(failure), rank, unsaid);
     return to_int(code);
   }
 }

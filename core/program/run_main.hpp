@@ -3,6 +3,7 @@
 #pragma once
 #include <exception>
 #include <functional>
+#include <string>
 
 #include "process/exit_code.hpp"
 
@@ -18,8 +19,9 @@ ExitCode code_of(const std::exception_ptr& failure) noexcept;
 
 /// Runs `body` and returns its result. If `body` throws, returns the code of the failure; 0 for FinishedEarly. Replaces
 /// 0 and 4 by 1 if standard output cannot be written. Prints one message "flowslide: ..." per failure to stderr. `rank`
-/// is the MPI rank, if known. Rank 0 alone prints the messages that are equal on all ranks (help, configuration). Each
-/// rank prints its own numerical failure or defect. Never throws.
-int run_main(const std::function<int()>& body, int rank = 0) noexcept;
+/// is the MPI rank, if known. Each rank prints its own numerical failure or defect. Rank 0 alone prints the messages
+/// that are usually equal on all ranks (help, configuration). Those of another rank go to `unsaid`, if given, for
+/// same_exit_code. Never throws.
+int run_main(const std::function<int()>& body, int rank = 0, std::string* unsaid = nullptr) noexcept;
 
 }  // namespace flowslide

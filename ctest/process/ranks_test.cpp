@@ -54,5 +54,15 @@ TEST(Ranks, ReturnTheCodeOfTheOneThatFailed) {
   EXPECT_EQ(same_exit_code(last ? 130 : 0), 130);
 }
 
+TEST(Ranks, SayWhatOneOfThemKeptToItselfIfItsCodeIsTheCommonOne) {
+  const bool last = mpi_rank() == mpi_ranks() - 1;
+  testing::internal::CaptureStderr();
+  same_exit_code(last ? 2 : 0, last && mpi_rank() > 0 ? "no such file" : "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), last && mpi_rank() > 0 ? "flowslide: rank 1: no such file\n" : "");
+  testing::internal::CaptureStderr();
+  same_exit_code(2, mpi_rank() > 0 ? "no such file" : "");  // the first rank has the same failure and has said it
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace flowslide

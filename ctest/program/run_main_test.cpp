@@ -47,6 +47,14 @@ TEST(RunMain, PassesTheResultOnInSilence) {
   EXPECT_EQ(outcome.error, "");
 }
 
+TEST(RunMain, KeepsTheMessageOfALaterRankForTheEnd) {
+  testing::internal::CaptureStderr();
+  std::string unsaid;
+  EXPECT_EQ(run_main([]() -> int { throw FileError("no such file"); }, 1, &unsaid), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(unsaid, "no such file");
+}
+
 TEST(RunMain, EndsWithTwoForWhatTheUserWroteOrTheMachineRefuses) {
   EXPECT_EQ(outcome_of_throwing(ConfigurationError("a")).code, 2);
   EXPECT_EQ(outcome_of_throwing(Refused("a")).code, 2);
