@@ -21,6 +21,7 @@
 #include "process/ranks.hpp"
 #include "program/changed_settings.hpp"
 #include "program/file_names.hpp"
+#include "program/metrics_table.hpp"
 #include "program/run_list.hpp"
 #include "program/run_main.hpp"
 #include "program/versions.hpp"
@@ -262,6 +263,7 @@ class CaseProgram {
                                chosen_.size() - present.size(), chosen_.size());
     finish(output);
     const auto metrics = case_.metrics(output.path(), present);
+    write_atomically(output.file("metrics.dat"), metrics_table(metrics));
     std::vector<Provenance> origins;
     origins.reserve(present.size());
     for (const std::string& point : present) origins.push_back(read_result(output.file(point + ".h5")).provenance);

@@ -12,7 +12,7 @@ namespace flowslide {
 namespace {
 
 /// Names of files and folders that every case program writes.
-const std::vector<std::string> program_names{"claims", "changes", "cost", "runs", "so_far", "table"};
+const std::vector<std::string> program_names{"claims", "changes", "cost", "metrics", "runs", "so_far", "table"};
 
 class Owners {
  public:

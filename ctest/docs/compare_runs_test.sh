@@ -20,6 +20,7 @@ table 4 60 >"$scratch/second.dat"
 found=$("$root/scripts/compare_runs" "$scratch/first.dat" "$scratch/second.dat")
 for expected in 'first.dat: peak of tau 400 Pa at 1 % shear strain' \
                 'up to the peak (3 rows): tau 0.01 of the peak, sigma 0 of the first sigma' \
+                'tau differs by more than 1e-03 of the peak from 0.5 % shear strain on' \
                 '5 to 6 s: tau 10, 10; sigma 50, 60'; do
   [[ $found == *"$expected"* ]] || die "'$expected' is not in: $found"
 done

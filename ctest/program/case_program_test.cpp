@@ -250,6 +250,7 @@ TEST_F(CaseProgramTest, ChecksWithoutARun) {
   EXPECT_TRUE(outcome.ran.empty());
   EXPECT_EQ(outcome.output, content_of(out() / "claims.json"));
   EXPECT_CONTAINS(content_of(out() / "runs.dat"), "\na a quick 0\nb b quick 0\n");
+  EXPECT_CONTAINS(content_of(out() / "metrics.dat"), "\na count 3\na size 0.002\nb count 3\nb size 0.002\n");
   EXPECT_CONTAINS(complaint({"--check", "--output", "none"}), "is not there: run the case first");
   EXPECT_FALSE(fs::exists("none"));
 }
