@@ -49,10 +49,10 @@ std::string class_of(const Result* shear) {
   return fmt::format("liquid to {:.0f} %", 100.0 * shear->series.last("shear_strain"));
 }
 
-/// The median over the samples of a velocity, m/s.
+/// The median over the samples of a velocity, m/s. A slope at rest swings a little: no "-0.00".
 std::string velocity(const Ensemble& slides, const char* metric) {
   const double median = statistics_of(slides, metric).median;
-  return std::isfinite(median) ? fmt::format("{:.2f}", median) : "-";
+  return std::isfinite(median) ? fmt::format("{:.2f}", std::abs(median) < 0.005 ? 0.0 : median) : "-";
 }
 
 /// The velocity when the pulse ends, the largest, and how many slopes stand at the end.
