@@ -113,9 +113,8 @@ class CaseProgramTest : public testing::Test {
 
   fs::path case_folder() const { return scratch_.path() / "case"; }
   fs::path out() const { return scratch_.path() / "out"; }
-  bool nothing_written() const {
-    return std::distance(fs::recursive_directory_iterator(scratch_.path()), {}) == 3;  // case/, its two files
-  }
+  /// Nothing but case/ and its two files.
+  bool nothing_written() const { return std::distance(fs::recursive_directory_iterator(scratch_.path()), {}) == 3; }
   /// Runs the program with `options`, in `out` unless they say where.
   Outcome run(std::vector<std::string> options, const std::string& failing = "") const {
     if (std::find(options.begin(), options.end(), "--output") == options.end())
