@@ -37,3 +37,8 @@ done
 code=0
 message=$("$root/scripts/sample_metrics" no_such_case peak 2>&1 >/dev/null) || code=$?
 [[ $code == 1 && $message == *'neither a folder nor a case'* ]] || die "a case that is not there: exit code $code, '$message'"
+for wrong in 'XX*' 'R+|RI'; do
+  code=0
+  message=$("$root/scripts/sample_metrics" "$scratch" peak --curves "$wrong" 2>&1 >/dev/null) || code=$?
+  [[ $code == 1 && $message == *'no curve fits'* ]] || die "--curves $wrong: exit code $code, '$message'"
+done
