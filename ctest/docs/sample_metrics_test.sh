@@ -40,5 +40,5 @@ message=$("$root/scripts/sample_metrics" no_such_case peak 2>&1 >/dev/null) || c
 for wrong in 'XX*' 'R+|RI'; do
   code=0
   message=$("$root/scripts/sample_metrics" "$scratch" peak --curves "$wrong" 2>&1 >/dev/null) || code=$?
-  [[ $code == 1 && $message == *'no curve fits'* ]] || die "--curves $wrong: exit code $code, '$message'"
+  [[ $code == 1 && $message == *'no curve fits --curves; there are RD_1e-3 RI'* ]] || die "--curves $wrong: exit code $code, '$message'"
 done
